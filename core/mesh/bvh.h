@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+namespace trixel {
+
+struct Ray
+{
+    glm::vec3 origin{0};
+    glm::vec3 direction{0, 0, -1}; ///< need not be of unit length; not zero
+};
+
+/// A point of the surface.
+struct SurfacePoint
+{
+    FaceId face{};
+    glm::vec2 uv{0}; ///< u, v >= 0 and u + v <= 1
+    glm::vec3 position{0};
+};
+
+/// Bounding-volume hierarchy over the faces of a mesh. The mesh must outlive it and not change.
+class Bvh
+{
+public:
+    Bvh() = default;
+    explicit Bvh(const TriangleMesh& mesh);
+
+    /// Nearest face that the ray meets in front of its origin, from either side.
+    std::optional<SurfacePoint> raycast(const Ray& ray) const;
+
+    /// Appends the faces that come within `radius` of `centre`, degenerate ones included, in
+    /// ascending order of id (so that results never depend on the tree).
+    void facesWithin(glm::vec3 centre, float radius, std::vector<FaceId>& faces) const;
+
+    /// Nearest point of the surface, if one lies within `maxDistance`.
+    std::optional<SurfacePoint> closestPoint(glm::vec3 position, float maxDistance) const;
+
+    std::size_t memoryBytes() const;
+
+private:
+    struct Node
+    {
+        glm::vec3 low{0};
+        std::uint32_t first = 0; ///< leaf: first entry of m_faces; inner: left child, right is +1
+        glm::vec3 high{0};
+        std::uint32_t count = 0; ///< faces of a leaf; 0 for an inner node
+    };
+
+    const TriangleMesh* m_mesh = nullptr;
+    std::vector<Node> m_nodes;
+    std::vector<FaceId> m_faces;
+};
+
+} // namespace trixel

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ids.h"
+#include "core/base/parallel.h"
+#include "core/base/result.h"
+#include "core/mesh/surface.h"
+#include "core/paint/brush.h"
+#include "core/texture/texel_patch.h"
+#include "core/texture/texel_store.h"
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+/// Where pointer or pen met the surface.
+struct StrokeSample
+{
+    FaceId face{};
+    glm::vec2 uv{0};
+    float pressure = 1.0F; ///< [0,1]
+    double time = 0.0;     ///< seconds since the stroke began
+};
+
+/// Texels of one face that the last call changed: a rectangle of the packed square, so that only
+/// these are uploaded.
+struct TouchedRect
+{
+    FaceId face{};
+    std::uint16_t x = 0, y = 0, width = 0, height = 0;
+    bool wholeFace = false; ///< the face was constant before: all of it is new
+};
+
+/// One stroke in progress: turns samples into dabs at constant arc length and blends them into the
+/// store. Opacity caps what the stroke covers, flow builds it up, whatever the number of dabs.
+/// Cost follows the texels touched. The same samples give the same texels, whatever the number of
+/// threads and however the samples are grouped into calls.
+class Stroke
+{
+public:
+    /// \param fill  the bytes of one texel that Erase moves towards
+    /// The brush must be valid (checked).
+    Stroke(std::shared_ptr<const Surface> surface,
+           const Brush& brush,
+           std::vector<std::byte> fill,
+           Threads threads = Threads::all());
+    ~Stroke();
+    Stroke(Stroke&&) noexcept;
+    Stroke& operator=(Stroke&&) noexcept;
+
+    /// Adds a sample; paints the dabs it completes and says what they changed (each face once).
+    /// Samples with a face out of range or a position that is not finite are ignored.
+    std::vector<TouchedRect> add(const StrokeSample& sample, TexelStore& store);
+
+    /// Ends the stroke: a patch of exactly the texels it changed, as they were before.
+    TexelPatch finish(const TexelStore& store);
+
+private:
+    class State;
+    std::unique_ptr<State> m_state;
+};
+
+/// Gives the faces one colour each; returns what they held.
+TexelPatch
+fillFaces(TexelStore& store, std::span<const FaceId> faces, std::span<const std::byte> texel);
+
+} // namespace trixel

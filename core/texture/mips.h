@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/texture/face_texels.h"
+#include "core/texture/texel_format.h"
+
+namespace trixel {
+
+/// The face one level coarser, by the rule of `finerPixels`: the mean of four texels, integers
+/// rounded to nearest with ties to even, half summed in float and rounded to nearest even.
+/// A constant face stays constant. \param face  level 1 or more (checked)
+FaceTexels reduced(const TexelFormat& format, const FaceTexels& face);
+
+/// The face `steps` levels coarser, not below level 0.
+FaceTexels reduced(const TexelFormat& format, const FaceTexels& face, int steps);
+
+} // namespace trixel

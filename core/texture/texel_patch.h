@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ids.h"
+#include "core/texture/texel_store.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+/// What a change replaced, and nothing more: runs of texels, or whole faces where a level or a
+/// constant face changed. Swapping it with the store undoes the change and makes the patch hold
+/// what it replaced, so the same call redoes it.
+class TexelPatch
+{
+public:
+    /// Consecutive texels of one face, in packed order.
+    struct Run
+    {
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
+
+    /// Adds texels of a face as they were before the change.
+    /// \param runs    ascending, not touching each other
+    /// \param before  their bytes, one run after the other
+    void addTexels(FaceId face, std::span<const Run> runs, std::span<const std::byte> before);
+
+    /// Adds a whole face as it was before the change.
+    void addFace(FaceId face, FaceTexels before);
+
+    /// Exchanges the patch's texels with the store's.
+    void swap(TexelStore& store);
+
+    /// The faces the patch touches, in the order they were added; each once.
+    std::span<const FaceId> faces() const { return m_faces; }
+    bool isEmpty() const { return m_faces.empty(); }
+    /// Bytes the patch keeps alive.
+    std::size_t byteSize() const;
+
+private:
+    struct Texels
+    {
+        FaceId face{};
+        std::vector<Run> runs;
+        std::vector<std::byte> values;
+    };
+    struct Whole
+    {
+        FaceId face{};
+        FaceTexels texels;
+    };
+
+    std::vector<FaceId> m_faces;
+    std::vector<Texels> m_texels;
+    std::vector<Whole> m_whole;
+};
+
+} // namespace trixel

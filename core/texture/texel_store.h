@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ids.h"
+#include "core/texture/face_texels.h"
+#include "core/texture/texel_format.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+/// The texels of every face of a mesh: the truth that everything shown and saved derives from.
+///
+/// Faces live in blocks that copies of the store share until one is written to, so a copy is a
+/// cheap snapshot (for saving while painting goes on), and a store nobody painted holds one block
+/// and one value however many faces it has.
+class TexelStore
+{
+public:
+    /// A store of no faces.
+    TexelStore() = default;
+
+    /// Every face constant at the same level.
+    /// \param fill  the bytes of one texel in `format` (checked)
+    TexelStore(std::uint32_t faceCount,
+               const TexelFormat& format,
+               Level level,
+               std::span<const std::byte> fill);
+
+    std::uint32_t faceCount() const { return m_faceCount; }
+    const TexelFormat& format() const { return m_format; }
+
+    const FaceTexels& face(FaceId face) const;
+
+    /// Puts other texels in the place of a face's and returns what was there. The level may
+    /// differ, the bytes of a texel may not (checked).
+    FaceTexels exchange(FaceId face, FaceTexels texels);
+
+    /// Every texel of the face, to be written to in place. Not for several threads at once; the
+    /// spans of different faces may then be filled in parallel.
+    std::span<std::byte> writable(FaceId face);
+
+    /// Texels as addressed (4^n a face), whether stored or constant.
+    std::uint64_t texelCount() const;
+    /// Bytes of texel data in memory; faces that share a value count it once a block.
+    std::uint64_t storedBytes() const;
+
+private:
+    static constexpr std::size_t kBlockFaces = 256;
+    struct Block
+    {
+        std::array<FaceTexels, kBlockFaces> faces;
+    };
+
+    FaceTexels& ownFace(FaceId face);
+
+    std::uint32_t m_faceCount = 0;
+    TexelFormat m_format;
+    std::vector<std::shared_ptr<Block>> m_blocks;
+};
+
+} // namespace trixel
