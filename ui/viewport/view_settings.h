@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "core/paint/brush.h"
+
+namespace trixel::ui {
+
+/// What the pointer does on the surface.
+enum class Tool { Brush, Eraser, Fill, Pick };
+
+/// How the viewport draws. A value: compared, copied, stored in settings.
+struct ViewOptions
+{
+    bool lit = true;
+    bool wireframe = false;
+    bool texelGrid = false;
+    bool footprint = true; ///< ellipse of the hovered pixel on the surface
+    int mipDrop = 0;       ///< show every face this many levels coarser
+
+    bool operator==(const ViewOptions&) const = default;
+};
+
+/// Brush, tool and view options: set by panels and shortcuts, listened to by the viewport.
+class ViewSettings : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    const ViewOptions& view() const { return m_view; }
+    void setView(const ViewOptions& view)
+    {
+        if (m_view != view) {
+            m_view = view;
+            emit viewChanged();
+        }
+    }
+
+    const Brush& brush() const { return m_brush; }
+    void setBrush(const Brush& brush)
+    {
+        m_brush = brush;
+        emit brushChanged();
+    }
+
+    Tool tool() const { return m_tool; }
+    void setTool(Tool tool)
+    {
+        if (m_tool != tool) {
+            m_tool = tool;
+            emit toolChanged();
+        }
+    }
+
+signals:
+    void viewChanged();
+    void brushChanged();
+    void toolChanged();
+
+private:
+    ViewOptions m_view;
+    Brush m_brush;
+    Tool m_tool = Tool::Brush;
+};
+
+} // namespace trixel::ui
