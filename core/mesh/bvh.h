@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/parallel.h"
+#include "core/mesh/bvh_node.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
@@ -26,35 +28,31 @@ struct SurfacePoint
 };
 
 /// Bounding-volume hierarchy over the faces of a mesh. The mesh must outlive it and not change.
+/// Answers do not depend on how the tree was built: ties go to the lowest face.
 class Bvh
 {
 public:
     Bvh() = default;
-    explicit Bvh(const TriangleMesh& mesh);
+    /// Takes about 0.15 s for a million faces on two threads.
+    explicit Bvh(const TriangleMesh& mesh, Threads threads = Threads::all());
 
-    /// Nearest face that the ray meets in front of its origin, from either side.
+    /// Nearest face that the ray meets in front of its origin, from either side. Degenerate faces
+    /// are not met. Rays do not slip between faces that share an edge. Nothing for a ray that is
+    /// not finite or has no direction.
     std::optional<SurfacePoint> raycast(const Ray& ray) const;
 
     /// Appends the faces that come within `radius` of `centre`, degenerate ones included, in
     /// ascending order of id (so that results never depend on the tree).
     void facesWithin(glm::vec3 centre, float radius, std::vector<FaceId>& faces) const;
 
-    /// Nearest point of the surface, if one lies within `maxDistance`.
+    /// Nearest point of the surface, if one lies within `maxDistance` (which may be infinite).
     std::optional<SurfacePoint> closestPoint(glm::vec3 position, float maxDistance) const;
 
     std::size_t memoryBytes() const;
 
 private:
-    struct Node
-    {
-        glm::vec3 low{0};
-        std::uint32_t first = 0; ///< leaf: first entry of m_faces; inner: left child, right is +1
-        glm::vec3 high{0};
-        std::uint32_t count = 0; ///< faces of a leaf; 0 for an inner node
-    };
-
     const TriangleMesh* m_mesh = nullptr;
-    std::vector<Node> m_nodes;
+    std::vector<BvhNode> m_nodes;
     std::vector<FaceId> m_faces;
 };
 

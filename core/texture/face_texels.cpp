@@ -52,6 +52,14 @@ FaceTexels FaceTexels::full(Level level, std::size_t texelBytes, std::span<const
     return face;
 }
 
+FaceTexels FaceTexels::atLevel(Level level) const
+{
+    check(m_constant, "a face of one value");
+    FaceTexels face = *this;
+    face.m_level = level;
+    return face;
+}
+
 std::span<const std::byte> FaceTexels::bytes() const
 {
     return {data(), std::size_t{m_texelBytes} * (m_constant ? 1 : m_level.texelCount())};

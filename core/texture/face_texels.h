@@ -24,6 +24,9 @@ public:
     /// A face that stores every texel. \param texels  4^n texels in packed order
     static FaceTexels full(Level level, std::size_t texelBytes, std::span<const std::byte> texels);
 
+    /// The same value at another level, sharing its bytes. The face is constant (checked).
+    FaceTexels atLevel(Level level) const;
+
     Level level() const { return m_level; }
     bool isConstant() const { return m_constant; }
     std::size_t texelBytes() const { return m_texelBytes; }

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/face_map.h"
 #include "core/base/ids.h"
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/texture/face_texels.h"
 #include "core/texture/texel_format.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,6 +36,13 @@ public:
                Level level,
                std::span<const std::byte> fill);
 
+    /// Every face constant, each at its own level; all share one value, and blocks of one level
+    /// share one block.
+    /// \param fill  the bytes of one texel in `format` (checked)
+    TexelStore(const TexelFormat& format,
+               const FaceMap<Level>& levels,
+               std::span<const std::byte> fill);
+
     std::uint32_t faceCount() const { return m_faceCount; }
     const TexelFormat& format() const { return m_format; }
 
@@ -44,6 +56,15 @@ public:
     /// spans of different faces may then be filled in parallel.
     std::span<std::byte> writable(FaceId face);
 
+    /// A store of another format that holds convert(face) for every face. Blocks that are shared
+    /// are converted once and stay shared, and so do values shared by neighbouring faces: convert
+    /// may not depend on anything but the face's texels, keeps its level, and is called from
+    /// several threads. Fails only when cancelled.
+    Result<TexelStore> transformed(const TexelFormat& format,
+                                   const std::function<FaceTexels(const FaceTexels&)>& convert,
+                                   Threads threads,
+                                   Progress& progress) const;
+
     /// Texels as addressed (4^n a face), whether stored or constant.
     std::uint64_t texelCount() const;
     /// Bytes of texel data in memory; faces that share a value count it once a block.
@@ -56,6 +77,9 @@ private:
         std::array<FaceTexels, kBlockFaces> faces;
     };
 
+    static Block transformed(const Block& block,
+                             std::size_t faceCount,
+                             const std::function<FaceTexels(const FaceTexels&)>& convert);
     FaceTexels& ownFace(FaceId face);
 
     std::uint32_t m_faceCount = 0;

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/texture/mips.h"
+
+#include "core/base/check.h"
+#include "core/lattice/reduction.h"
+#include "core/texture/texel_codec.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace trixel {
+
+namespace {
+
+/// A quarter of the sum, rounded to nearest with ties to even.
+template <class T>
+T quarter(std::uint32_t sum)
+{
+    return static_cast<T>((sum + 1 + ((sum >> 2) & 1)) >> 2);
+}
+
+template <TexelType kType>
+auto meanOfFour(const std::array<const std::byte*, 4>& from, std::size_t channel)
+{
+    using Codec = TexelCodec<kType>;
+    using T = typename Codec::Stored;
+    if constexpr (kType == TexelType::UInt8 || kType == TexelType::UInt16) {
+        std::uint32_t sum = 0;
+        for (const std::byte* texel : from) {
+            sum += loadStored<T>(texel, channel);
+        }
+        return quarter<T>(sum);
+    } else {
+        float sum = 0;
+        for (const std::byte* texel : from) {
+            sum += Codec::decoded(loadStored<T>(texel, channel));
+        }
+        return Codec::encoded(sum * 0.25F);
+    }
+}
+
+template <TexelType kType>
+void reduceFull(const TexelFormat& format,
+                Level fine,
+                std::span<const std::byte> source,
+                std::span<std::byte> target)
+{
+    // The fourth texel walks down a column as x grows: small squares keep those rows in cache.
+    constexpr std::uint32_t kTile = 32;
+    const std::uint32_t resolution = fine.coarser().resolution();
+    const std::size_t texelBytes = format.texelBytes();
+    const auto reduceTexel = [&](std::uint32_t x, std::uint32_t y) {
+        const PackedPixel pixel{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+        std::array<const std::byte*, 4> from{};
+        std::ranges::transform(finerPixels(fine, pixel), from.begin(), [&](PackedPixel finer) {
+            return source.data() + indexOf(texelIndex(fine, finer)) * texelBytes;
+        });
+        std::byte* to = target.data() + (std::size_t{y} * resolution + x) * texelBytes;
+        for (std::size_t channel = 0; channel < format.channels; ++channel) {
+            saveStored(to, channel, meanOfFour<kType>(from, channel));
+        }
+    };
+    for (std::uint32_t tileY = 0; tileY < resolution; tileY += kTile) {
+        for (std::uint32_t tileX = 0; tileX < resolution; tileX += kTile) {
+            for (std::uint32_t y = tileY; y < std::min(tileY + kTile, resolution); ++y) {
+                for (std::uint32_t x = tileX; x < std::min(tileX + kTile, resolution); ++x) {
+                    reduceTexel(x, y);
+                }
+            }
+        }
+    }
+}
+
+} // namespace
+
+FaceTexels reduced(const TexelFormat& format, const FaceTexels& face)
+{
+    check(face.level().log2() >= 1, "a level to reduce");
+    check(face.texelBytes() == format.texelBytes(), "texels in the format");
+    const Level coarse = face.level().coarser();
+    if (face.isConstant()) {
+        return face.atLevel(coarse);
+    }
+    std::vector<std::byte> texels(format.texelBytes() * coarse.texelCount());
+    withTexelType(format.type, [&](auto type) {
+        reduceFull<decltype(type)::value>(format, face.level(), face.bytes(), texels);
+    });
+    return FaceTexels::full(coarse, format.texelBytes(), texels);
+}
+
+FaceTexels reduced(const TexelFormat& format, const FaceTexels& face, int steps)
+{
+    FaceTexels result = face;
+    for (int k = 0; k < steps && result.level().log2() > 0; ++k) {
+        result = reduced(format, result);
+    }
+    return result;
+}
+
+} // namespace trixel
