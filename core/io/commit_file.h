@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/read_file.h"
 #include "core/base/result.h"
 
 #include <filesystem>
@@ -17,10 +18,5 @@ namespace trixel {
 Status commitFile(const std::filesystem::path& path,
                   const std::function<Status(std::ostream&)>& write,
                   const std::function<Status(const std::filesystem::path& written)>& verify);
-
-/// All bytes of a regular file. Errors (kind Path) name the file and the cause: missing, a
-/// directory, not readable, larger than `maxBytes`.
-Result<std::string> readFile(const std::filesystem::path& path,
-                             std::uint64_t maxBytes = std::uint64_t{64} << 30U);
 
 } // namespace trixel

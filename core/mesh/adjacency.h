@@ -21,7 +21,8 @@ struct EdgeNeighbour
 
 /// Neighbours across the three edges of every face, in Ptex terms. Symmetric: if A's edge e meets
 /// B's edge f, then B's f meets A's e. Two faces are neighbours where exactly two faces share an
-/// edge and run along it in opposite directions; every other edge is a border.
+/// edge and run along it in opposite directions; every other edge is a border. A face that repeats
+/// a vertex has no edges to share: it is all borders and never comes between its neighbours.
 class Adjacency
 {
 public:

@@ -21,21 +21,26 @@ struct MeshReport
         bool operator==(const Edge&) const = default;
     };
 
-    std::vector<Edge> nonManifoldEdges;       ///< edges of three or more faces, once per face
-    std::vector<FaceId> degenerateFaces;      ///< zero area or a repeated vertex
+    std::vector<Edge> nonManifoldEdges;       ///< once per face of the edge
+    std::vector<FaceId> degenerateFaces;      ///< no area in float positions, or a repeated vertex
     std::vector<FaceId> duplicateFaces;       ///< same three vertices as an earlier face
-    std::vector<FaceId> flippedFaces;         ///< wound against most of their neighbours
+    std::vector<FaceId> flippedFaces;         ///< wound against most faces of their component
     std::vector<FaceId> isolatedFaces;        ///< all three edges are borders
     std::vector<FaceId> halfEdgeRefusedFaces; ///< not representable in the half-edge structure
     std::size_t borderEdges = 0;              ///< edges of one face only
     std::size_t unusedVertices = 0;           ///< vertices of no face
     std::size_t polygonsCut = 0;              ///< source polygons of more than three corners
 
+    bool operator==(const MeshReport&) const = default;
+
+    /// Nothing but borders, unused vertices and cut polygons.
     bool isClean() const;
     /// One line a finding: how many, the first few face numbers, and what it costs.
     std::vector<std::string> describe() const;
 };
 
+/// All but `halfEdgeRefusedFaces`, which `Surface` fills in. Lists are in ascending order.
+/// \param adjacency  of the mesh's triangles
 MeshReport inspectMesh(const TriangleMesh& mesh, const Adjacency& adjacency);
 
 } // namespace trixel

@@ -14,6 +14,12 @@ namespace trixel {
 /// Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// Whether a vertex occurs more than once: such a triangle has no area and no neighbours.
+constexpr bool repeatsVertex(const Triangle& t)
+{
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 /// Index arrays of a triangle mesh. Every index is below the vertex count and every position is
 /// finite: the readers and builders see to it.
 struct TriangleMesh
