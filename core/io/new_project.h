@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A project before anything is painted on it, and the colour it began with.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/io/project.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/texture/level_plan.h"
+#include "core/texture/texel_format.h"
+
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+/// A project in which every face holds one colour, at the level the plan gives it. The colour is
+/// kept in the metadata, so that the eraser finds it when the project is opened again.
+/// \param fill  one value a channel (checked); see `encode` for what they mean
+Result<Project> newProject(TriangleMesh mesh,
+                           const LevelPlan& plan,
+                           const TexelFormat& format,
+                           std::span<const float> fill,
+                           Progress& progress);
+
+/// The bytes of one texel of the colour the project began with: as its metadata say, else as its
+/// first constant face, else 1 in every channel.
+std::vector<std::byte> fillOf(const Project& project);
+
+} // namespace trixel
