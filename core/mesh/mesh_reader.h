@@ -6,6 +6,7 @@
 #include "core/mesh/triangle_mesh.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
 
