@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <QString>
+
+#include "core/base/result.h"
+
+#include <memory>
+
+namespace trixel::render {
+
+/// Compiles and links the embedded shaders `:/shaders/<vertex>` and `:/shaders/<fragment>` in the
+/// current context. Errors name the file and hold the compiler's words.
+Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
+                                                          const QString& fragment);
+
+} // namespace trixel::render

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "render/camera.h"
+#include "render/overlay_pass.h"
+#include "render/surface_pass.h"
+
+#include <memory>
+#include <vector>
+
+namespace trixel::render {
+
+/// Everything that one picture shows.
+struct Scene
+{
+    Camera camera;
+    SurfaceStyle surface;
+    std::vector<Polyline> overlays;
+};
+
+/// Owns all OpenGL objects. Made, used and destroyed with one context current. Holds nothing that
+/// cannot be made again from the mesh and the texel store: when a context is lost, make another.
+class Renderer
+{
+public:
+    /// Fails when the current context is older than 4.1 core or a shader does not compile.
+    static Result<std::unique_ptr<Renderer>> create();
+    ~Renderer();
+
+    /// The mesh to draw; texels of the one before are forgotten.
+    Status setMesh(const TriangleMesh& mesh);
+    void setNormals(std::span<const std::uint32_t> normals) { m_surface->setNormals(normals); }
+    /// No mesh at all.
+    void clear();
+
+    /// Shows a store of the mesh's faces from the beginning.
+    void setTexels(const TexelStore& store, int mipDrop);
+    void touchTexels(const TexelStore& store, std::span<const TouchedRect> rects);
+    /// Sends touched texels and, up to a budget of bytes, texels that have not been sent yet.
+    /// \return bytes of texels sent
+    std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);
+    const DisplayTexels& texels() const { return m_texels; }
+
+    /// Draws into the framebuffer that is bound, over all of it.
+    void draw(const Scene& scene);
+
+private:
+    Renderer(std::unique_ptr<Gl> gl,
+             std::unique_ptr<QOpenGLShaderProgram> background,
+             std::unique_ptr<SurfacePass> surface,
+             std::unique_ptr<OverlayPass> overlay);
+    void drawBackground();
+
+    std::unique_ptr<Gl> m_gl;
+    std::unique_ptr<QOpenGLShaderProgram> m_background;
+    std::unique_ptr<SurfacePass> m_surface;
+    std::unique_ptr<OverlayPass> m_overlay;
+    GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
+    DisplayTexels m_texels;
+    std::size_t m_faceCount = 0;
+};
+
+} // namespace trixel::render

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/mesh/triangle_mesh.h"
+#include "render/camera.h"
+#include "render/display_texels.h"
+#include "render/gl.h"
+#include "render/program.h"
+#include "render/texture_buffer.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace trixel::render {
+
+/// How the surface is drawn.
+struct SurfaceStyle
+{
+    bool lit = true;
+    bool wireframe = false;
+    bool texelGrid = false;
+    bool hasAlpha = false;   ///< texels lie over a checker
+    float pixelRatio = 1.0F; ///< device pixels of one line width
+};
+
+/// Draws a mesh with its texels, in one call. Memory on the card: 12 bytes a mesh vertex and 32 a
+/// face (three vertex numbers, three packed normals, one record), and the texels.
+class SurfacePass
+{
+public:
+    static Result<std::unique_ptr<SurfacePass>> create(Gl& gl);
+
+    /// Fails where the mesh is larger than texture buffers may be here. Normals are forgotten.
+    Status setMesh(const TriangleMesh& mesh);
+    /// Three a face, see `cornerNormals`; until they come faces look flat.
+    void setNormals(std::span<const std::uint32_t> normals);
+
+    /// Sends what an update holds. \param records  all of them, as they are now
+    void
+    upload(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);
+
+    void draw(const Camera& camera, const SurfaceStyle& style);
+
+private:
+    SurfacePass(Gl& gl, std::unique_ptr<QOpenGLShaderProgram> program);
+
+    Gl& m_gl;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    TextureBuffer m_positions;
+    TextureBuffer m_triangles;
+    TextureBuffer m_normals;
+    TextureBuffer m_records;
+    std::unique_ptr<TextureBuffer> m_texels;
+    DisplayFormat m_format = DisplayFormat::Rgba8;
+    std::size_t m_faceCount = 0;
+};
+
+} // namespace trixel::render

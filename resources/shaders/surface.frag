@@ -1,0 +1,116 @@
+#version 410 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+uniform samplerBuffer texels;
+uniform bool lit;
+uniform bool wireframe;
+uniform bool texelGrid;
+uniform bool hasAlpha;
+uniform bool hasNormals;
+uniform float lineWidth; // device pixels
+
+in vec2 uv;
+in vec3 viewPosition;
+in vec3 viewNormal;
+flat in uvec2 record;
+out vec4 color;
+
+// Bits of a face's record, as `FaceRecord` in render/display_texels.h has them.
+const uint kLevelMask = 0xffu;
+const uint kConstant = 0x100u;
+const uint kPending = 0x200u;
+
+const vec3 kPendingColor = vec3(0.45);
+const vec3 kWireColor = vec3(0.02, 0.03, 0.05);
+// Lines that stand closer than so many pixels vanish, or they would turn into a grey film.
+const float kFadeFrom = 3.0;
+const float kFadeTo = 9.0;
+
+// Packed index of the texel that holds a point, in texel units. The cell is clamped before its
+// fractions are taken: v = 1 would read outside, u = 1 wrap into the next row.
+int texelIndex(vec2 p, int resolution)
+{
+    ivec2 cell = clamp(ivec2(floor(p)), ivec2(0), ivec2(resolution - 1));
+    vec2 f = p - vec2(cell);
+    bool upper = f.x + f.y > 1.0;
+    return upper ? resolution * resolution - 1 - (cell.y + cell.x * resolution)
+                 : cell.x + cell.y * resolution;
+}
+
+vec4 texelColor(int resolution)
+{
+    if ((record.y & kPending) != 0u) {
+        return vec4(kPendingColor, 1.0);
+    }
+    int index = (record.y & kConstant) != 0u ? 0 : texelIndex(uv * float(resolution), resolution);
+    return clamp(texelFetch(texels, int(record.x) + index), 0.0, 1.0);
+}
+
+// A screen-fixed checker behind what is not opaque.
+vec3 overChecker(vec4 texel)
+{
+    ivec2 square = ivec2(gl_FragCoord.xy / (8.0 * lineWidth));
+    float checker = ((square.x + square.y) & 1) == 0 ? 0.42 : 0.58;
+    return mix(vec3(checker), texel.rgb, texel.a);
+}
+
+// Headlight from the upper left, a sky and a thin rim; a white texel facing the light stays white.
+vec3 shade(vec3 base, vec3 normal)
+{
+    vec3 toEye = normalize(-viewPosition);
+    float key = max(dot(normal, normalize(vec3(-0.35, 0.45, 1.0))), 0.0);
+    float sky = 0.5 + 0.5 * normal.y;
+    float facing = clamp(dot(normal, toEye), 0.0, 1.0);
+    float rim = 0.035 * pow(1.0 - facing, 4.0);
+    float light = 0.05 + 0.80 * key + 0.15 * sky;
+    return pow(pow(base, vec3(2.2)) * light + rim, vec3(1.0 / 2.2));
+}
+
+vec3 shadingNormal()
+{
+    vec3 flatNormal = cross(dFdx(viewPosition), dFdy(viewPosition));
+    vec3 normal = hasNormals ? viewNormal : flatNormal;
+    float size = dot(normal, normal);
+    normal = size > 0.0 ? normal * inversesqrt(size) : vec3(0.0, 0.0, 1.0);
+    return (hasNormals && !gl_FrontFacing) || (!hasNormals && dot(normal, viewPosition) > 0.0)
+               ? -normal
+               : normal;
+}
+
+// How much of a line of the given half width covers this pixel; x are distances in units in which
+// lines stand 1 apart, perPixel their change from pixel to pixel.
+float coverage(vec3 x, vec3 perPixel, float halfWidth)
+{
+    vec3 pixels = x / max(perPixel, vec3(1e-9));
+    vec3 inside = clamp(halfWidth + 0.5 - pixels, 0.0, 1.0);
+    float apart = 1.0 / max(max(perPixel.x, max(perPixel.y, perPixel.z)), 1e-9);
+    float visible = smoothstep(kFadeFrom * lineWidth, kFadeTo * lineWidth, apart);
+    return visible * max(inside.x, max(inside.y, inside.z));
+}
+
+void main()
+{
+    int resolution = 1 << int(record.y & kLevelMask);
+    vec3 bary = vec3(uv, 1.0 - uv.x - uv.y);
+    vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));
+
+    vec4 texel = texelColor(resolution);
+    vec3 shown = hasAlpha ? overChecker(texel) : texel.rgb;
+    if (lit) {
+        shown = shade(shown, shadingNormal());
+    }
+    if (!gl_FrontFacing) {
+        shown *= 0.72;
+    }
+    if (texelGrid) {
+        vec3 p = bary * float(resolution);
+        float line = coverage(abs(p - round(p)), baryPerPixel * float(resolution), 0.5 * lineWidth);
+        float luma = dot(shown, vec3(0.2126, 0.7152, 0.0722));
+        shown = mix(shown, vec3(luma > 0.45 ? 0.0 : 1.0), 0.38 * line);
+    }
+    if (wireframe) {
+        float line = coverage(max(bary, vec3(0.0)), baryPerPixel, 0.5 * lineWidth);
+        shown = mix(shown, kWireColor, 0.85 * line);
+    }
+    color = vec4(shown, 1.0);
+}

@@ -1,0 +1,43 @@
+#version 410 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Three vertices a face, pulled by number: face = gl_VertexID / 3.
+uniform samplerBuffer positions;  // xyz a mesh vertex
+uniform usamplerBuffer triangles; // three mesh vertices a face
+uniform usamplerBuffer normals;   // one a corner, octahedral
+uniform usamplerBuffer records;   // a face: first texel, level and flags
+uniform bool hasNormals;
+uniform mat4 view;
+uniform mat4 projection;
+
+out vec2 uv;
+out vec3 viewPosition;
+out vec3 viewNormal;
+flat out uvec2 record;
+
+vec3 unpackNormal(uint bits)
+{
+    vec2 p = (vec2(bits & 0xffffu, bits >> 16) - 32768.0) / 32767.0;
+    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+    float fold = max(-n.z, 0.0);
+    n.x += n.x < 0.0 ? fold : -fold;
+    n.y += n.y < 0.0 ? fold : -fold;
+    return normalize(n);
+}
+
+void main()
+{
+    int face = gl_VertexID / 3;
+    int corner = gl_VertexID - 3 * face;
+    uint vertex = texelFetch(triangles, face)[corner];
+    vec4 position = view * vec4(texelFetch(positions, int(vertex)).xyz, 1.0);
+
+    uv = vec2(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+    record = texelFetch(records, face).xy;
+    viewPosition = position.xyz;
+    viewNormal = vec3(0.0);
+    if (hasNormals) {
+        viewNormal = mat3(view) * unpackNormal(texelFetch(normals, gl_VertexID).x);
+    }
+    gl_Position = projection * position;
+}
