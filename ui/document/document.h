@@ -21,6 +21,10 @@ struct Change
     std::vector<TouchedRect> rects;
 };
 
+/// Names a state of the document: equal names mean equal texels. Unlike a position in the undo
+/// stack it stays true when undone commands are thrown away.
+enum class StateId : std::uint64_t {};
+
 /// Owns the open project and one undo stack; pushing a command is the only lasting way to change
 /// texels. A stroke in progress shows at once and becomes one command when it ends.
 class Document : public QObject
@@ -46,11 +50,20 @@ public:
     QUndoStack& undoStack() { return m_undo; }
     QString path() const { return m_path; }
     QString title() const;
-    bool isModified() const;
-    /// Says that `undoIndex` of the stack is what the file at `path` now holds.
-    void markSaved(const QString& path, int undoIndex);
+    /// Whether the texels differ from those last saved (or opened). A stroke in progress counts
+    /// once it ends.
+    bool isModified() const { return isOpen() && state() != m_savedState; }
+    /// The state the undo stack stands at.
+    StateId state() const;
+    /// The state the project was opened in, which also tells one opened project from the next.
+    StateId openedState() const { return m_openedState; }
+    /// Says that the file at `path` now holds `saved`, which need not be the present state:
+    /// painting goes on while a snapshot is saved.
+    void markSaved(const QString& path, StateId saved);
 
+    /// Starts a stroke, ending one in progress. An unusable brush is refused with `notice`.
     void beginStroke(const Brush& brush);
+    /// Does nothing without a stroke in progress.
     void extendStroke(const StrokeSample& sample);
     /// Pushes the stroke as one undo step (nothing if it changed nothing).
     void endStroke();
@@ -67,17 +80,26 @@ signals:
     void changed(const trixel::ui::Change& change);
     void modifiedChanged(bool modified);
     void titleChanged();
+    /// One sentence about something that was refused.
+    void notice(const QString& sentence);
 
 private:
     friend class SwapPatch;
     void swapPatch(TexelPatch& patch);
+    void push(TexelPatch applied, const QString& text);
+    void announceModified();
 
     Project m_project;
     std::vector<std::byte> m_fill;
     QString m_path;
     QString m_title;
-    QUndoStack m_undo;
     std::optional<Stroke> m_stroke;
+    bool m_strokeErases = false;
+    QUndoStack m_undo;
+    StateId m_openedState{};
+    StateId m_savedState{};
+    std::uint64_t m_lastState = 0;
+    bool m_announcedModified = false;
 };
 
 } // namespace trixel::ui

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/document.h"
+
+#include <QFileInfo>
+
+#include "core/io/new_project.h"
+#include "ui/document/swap_patch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trixel::ui {
+
+namespace {
+
+std::vector<std::byte> encodeTexel(const TexelFormat& format, const std::array<float, 4>& color)
+{
+    std::vector<float> values(format.channels);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        values[k] = color[std::min<std::size_t>(k, color.size() - 1)];
+    }
+    std::vector<std::byte> texel(format.texelBytes());
+    encode(format.type, values, texel);
+    return texel;
+}
+
+/// Whole faces; nothing (everything may differ) when the patch covers the mesh.
+Change changeOf(const TexelPatch& patch, const TexelStore& texels)
+{
+    Change change;
+    if (patch.faces().size() == texels.faceCount()) {
+        return change;
+    }
+    change.rects.reserve(patch.faces().size());
+    for (const FaceId face : patch.faces()) {
+        const auto size = static_cast<std::uint16_t>(texels.face(face).level().resolution());
+        change.rects.push_back({face, 0, 0, size, size, true});
+    }
+    return change;
+}
+
+} // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+{
+    connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
+}
+
+Document::~Document()
+{
+    // The stack dies after this object's signals do; nobody is to hear of it.
+    m_undo.disconnect(this);
+}
+
+void Document::open(Project project, const QString& path, const QString& title)
+{
+    m_stroke.reset();
+    m_project = std::move(project);
+    m_fill = fillOf(m_project);
+    m_path = path;
+    m_title = title;
+    m_openedState = StateId{++m_lastState};
+    m_savedState = m_openedState;
+    m_undo.clear();
+    emit opened();
+    emit titleChanged();
+    announceModified();
+}
+
+QString Document::title() const
+{
+    return m_path.isEmpty() ? m_title : QFileInfo(m_path).fileName();
+}
+
+StateId Document::state() const
+{
+    const QUndoCommand* last = m_undo.command(m_undo.index() - 1);
+    const auto* swap = dynamic_cast<const SwapPatch*>(last);
+    return swap != nullptr ? swap->state() : m_openedState;
+}
+
+void Document::markSaved(const QString& path, StateId saved)
+{
+    m_savedState = saved;
+    if (std::exchange(m_path, path) != path) {
+        emit titleChanged();
+    }
+    announceModified();
+}
+
+void Document::announceModified()
+{
+    const bool modified = isModified();
+    if (std::exchange(m_announcedModified, modified) != modified) {
+        emit modifiedChanged(modified);
+    }
+}
+
+void Document::beginStroke(const Brush& brush)
+{
+    if (!isOpen()) {
+        return;
+    }
+    endStroke();
+    if (const Status valid = validate(brush); !valid) {
+        emit notice(QString::fromStdString(valid.error().message));
+        return;
+    }
+    m_strokeErases = brush.blend == BlendMode::Erase;
+    m_stroke.emplace(m_project.surface, brush, m_fill);
+}
+
+void Document::extendStroke(const StrokeSample& sample)
+{
+    if (!m_stroke) {
+        return;
+    }
+    Change change{m_stroke->add(sample, m_project.texels)};
+    if (!change.rects.empty()) {
+        emit changed(change);
+    }
+}
+
+void Document::endStroke()
+{
+    if (!m_stroke) {
+        return;
+    }
+    TexelPatch patch = m_stroke->finish(m_project.texels);
+    m_stroke.reset();
+    push(std::move(patch), m_strokeErases ? tr("Erase stroke") : tr("Brush stroke"));
+}
+
+void Document::cancelStroke()
+{
+    if (!m_stroke) {
+        return;
+    }
+    TexelPatch patch = m_stroke->finish(m_project.texels);
+    m_stroke.reset();
+    if (!patch.isEmpty()) {
+        swapPatch(patch);
+    }
+}
+
+void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 4>& color)
+{
+    if (!isOpen() || faces.empty()) {
+        return;
+    }
+    endStroke();
+    const std::vector<std::byte> texel = encodeTexel(m_project.texels.format(), color);
+    TexelPatch patch = trixel::fillFaces(m_project.texels, faces, texel);
+    if (patch.isEmpty()) {
+        return;
+    }
+    emit changed(changeOf(patch, m_project.texels));
+    push(std::move(patch),
+         faces.size() == 1 ? tr("Fill face")
+                           : tr("Fill %n faces", nullptr, static_cast<int>(faces.size())));
+}
+
+void Document::push(TexelPatch applied, const QString& text)
+{
+    if (!applied.isEmpty()) {
+        const StateId next{++m_lastState};
+        m_undo.push(new SwapPatch(*this, std::move(applied), next, text)); // the stack owns it
+    }
+}
+
+void Document::swapPatch(TexelPatch& patch)
+{
+    // A patch fits the state it was made on, which a stroke in progress has left.
+    cancelStroke();
+    patch.swap(m_project.texels);
+    emit changed(changeOf(patch, m_project.texels));
+}
+
+} // namespace trixel::ui

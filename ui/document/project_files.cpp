@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document/project_files.h"
+
+#include <QFileInfo>
+
+#include "core/mesh/mesh_reader.h"
+#include "core/texture/convert.h"
+#include "ui/document/background_job.h"
+#include "ui/document/document.h"
+
+#include <utility>
+
+namespace trixel::ui {
+
+namespace {
+
+std::filesystem::path toPath(const QString& path)
+{
+    return std::filesystem::path(path.toStdU16String());
+}
+
+QString fileName(const QString& path)
+{
+    return QFileInfo(path).fileName();
+}
+
+/// A `.ptx` and, when its own mesh is missing, only the news of that.
+struct PtxOutcome
+{
+    std::optional<Project> project;
+};
+
+Result<PtxOutcome> readPtxProject(const std::filesystem::path& path, Progress& progress)
+{
+    Result<Project> project = openPtx(path, progress);
+    if (project) {
+        return PtxOutcome{std::move(*project)};
+    }
+    if (project.error().kind != ErrorKind::Contents) {
+        return tl::unexpected(project.error());
+    }
+    // The texels may be sound and only the mesh be missing, which the user can mend.
+    if (readPtx(path, progress)) {
+        return PtxOutcome{};
+    }
+    return tl::unexpected(project.error());
+}
+
+Result<Project> readMeshProject(const std::filesystem::path& path, Progress& progress)
+{
+    StageProgress reading(progress, 0.0, 0.6);
+    Result<TriangleMesh> mesh = readMesh(path, reading);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    const ProjectOptions options = defaultOptions(mesh->faceCount());
+    StageProgress building(progress, 0.6, 1.0);
+    return makeProject(std::move(*mesh), options, building);
+}
+
+Result<Project> readPtxOnMesh(const std::filesystem::path& ptx,
+                              const std::filesystem::path& meshPath,
+                              Progress& progress)
+{
+    StageProgress reading(progress, 0.0, 0.5);
+    Result<TriangleMesh> mesh = readMesh(meshPath, reading);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    StageProgress opening(progress, 0.5, 1.0);
+    return openPtxOnMesh(ptx, std::move(*mesh), opening);
+}
+
+} // namespace
+
+FileKind fileKindOf(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending == "trixel") {
+        return FileKind::Project;
+    }
+    if (ending == "ptx") {
+        return FileKind::Ptx;
+    }
+    return meshFormatOf(toPath(path)) ? FileKind::Mesh : FileKind::Unknown;
+}
+
+ProjectFiles::ProjectFiles(Document& document, BackgroundJobs& jobs, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_jobs(jobs)
+{
+}
+
+/// Runs `work`, then hands its value to `then` unless another load has begun since.
+template <class Work, class Then>
+void ProjectFiles::load(const QString& path, Work work, Then then)
+{
+    if (m_loading) {
+        m_loading->cancel();
+    }
+    const quint64 generation = ++m_generation;
+    m_loading = &m_jobs.run(tr("Opening %1…").arg(fileName(path)),
+                            std::move(work),
+                            [this, generation, then = std::move(then)](auto result) {
+                                if (generation != m_generation) {
+                                    return;
+                                }
+                                if (result) {
+                                    then(std::move(*result));
+                                } else {
+                                    tell(result.error());
+                                }
+                            });
+}
+
+void ProjectFiles::open(const QString& path)
+{
+    switch (fileKindOf(path)) {
+    case FileKind::Project:
+        return openProjectFile(path);
+    case FileKind::Ptx:
+        return openPtxFile(path);
+    case FileKind::Mesh:
+        return openMeshFile(path);
+    case FileKind::Unknown:
+        break;
+    }
+    emit failed(tr("%1 is not a kind of file that can be opened: it must end in .trixel, .ptx, "
+                   ".obj, .ply, .stl or .off.")
+                    .arg(fileName(path)));
+}
+
+void ProjectFiles::openProjectFile(const QString& path)
+{
+    load(
+        path,
+        [file = toPath(path)](Progress& progress) { return openProject(file, progress); },
+        [this, path](Project project) {
+            m_document.open(std::move(project), path, fileName(path));
+            emit opened(path);
+        });
+}
+
+void ProjectFiles::openPtxFile(const QString& path)
+{
+    load(
+        path,
+        [file = toPath(path)](Progress& progress) { return readPtxProject(file, progress); },
+        [this, path](PtxOutcome outcome) {
+            if (!outcome.project) {
+                emit meshWanted(path);
+                return;
+            }
+            m_document.open(std::move(*outcome.project), {}, fileName(path));
+            emit opened(path);
+        });
+}
+
+void ProjectFiles::openMeshFile(const QString& path)
+{
+    load(
+        path,
+        [file = toPath(path)](Progress& progress) { return readMeshProject(file, progress); },
+        [this, path](Project project) {
+            m_document.open(std::move(project), {}, QFileInfo(path).completeBaseName());
+            emit opened(path);
+            emit meshOpened(path);
+        });
+}
+
+void ProjectFiles::openPtxOn(const QString& ptxPath, const QString& meshPath)
+{
+    load(
+        ptxPath,
+        [ptx = toPath(ptxPath), mesh = toPath(meshPath)](Progress& progress) {
+            return readPtxOnMesh(ptx, mesh, progress);
+        },
+        [this, ptxPath](Project project) {
+            m_document.open(std::move(project), {}, fileName(ptxPath));
+            emit opened(ptxPath);
+        });
+}
+
+void ProjectFiles::createNew(std::shared_ptr<const TriangleMesh> mesh,
+                             const ProjectOptions& options,
+                             const QString& name)
+{
+    load(
+        name,
+        [mesh = std::move(mesh), options](Progress& progress) {
+            return makeProject(*mesh, options, progress);
+        },
+        [this, name](Project project) { m_document.open(std::move(project), {}, name); });
+}
+
+void ProjectFiles::save(const QString& path)
+{
+    m_document.endStroke();
+    const StateId state = m_document.state();
+    const StateId project = m_document.openedState();
+    ++m_saving;
+    emit savingChanged();
+    m_jobs.run(
+        tr("Saving %1…").arg(fileName(path)),
+        [file = toPath(path), snapshot = m_document.snapshot()](Progress& progress) {
+            return saveProject(file, snapshot, progress);
+        },
+        [this, path, state, project](const Status& status) {
+            --m_saving;
+            emit savingChanged();
+            if (!status) {
+                tell(status.error());
+            } else {
+                // Another project may have been opened while this one was being written.
+                if (m_document.openedState() == project) {
+                    m_document.markSaved(path, state);
+                }
+                emit saved(path);
+            }
+            emit saveEnded(status.has_value());
+        });
+}
+
+void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
+{
+    m_document.endStroke();
+    m_jobs.run(
+        tr("Exporting %1…").arg(fileName(path)),
+        [file = toPath(path), project = m_document.snapshot(), type, mips](
+            Progress& progress) mutable -> Status {
+            if (type != project.texels.format().type) {
+                StageProgress converting(progress, 0.0, 0.3);
+                Result<TexelStore> texels =
+                    converted(project.texels, type, Threads::all(), converting);
+                if (!texels) {
+                    return tl::unexpected(texels.error());
+                }
+                project.texels = std::move(*texels);
+            }
+            StageProgress writing(progress, 0.3, 1.0);
+            return trixel::exportPtx(file, project, {.mips = mips}, writing);
+        },
+        [this, path](const Status& status) {
+            if (status) {
+                emit exported(path);
+            } else {
+                tell(status.error());
+            }
+        });
+}
+
+void ProjectFiles::tell(const Error& error)
+{
+    if (error.kind != ErrorKind::Cancelled) {
+        emit failed(QString::fromStdString(error.message));
+    }
+}
+
+} // namespace trixel::ui
