@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QString>
+
+#include "core/texture/texel_format.h"
+#include "ui/viewport/viewport.h"
+
+#include <span>
+
+namespace trixel::ui {
+
+/// The words of the readout. Numbers are written so that they identify a texel and can be pasted
+/// into other programs: no group separators, a point before the fraction.
+
+QString texelText(const TexelCoord& texel);     ///< "(3, 1) upper"
+QString storageText(const HoveredTexel& texel); ///< "pixel 3, 1 · index 11"
+QString barycentricText(glm::vec2 uv);          ///< "u 0.25000  v 0.50000  w 0.25000"
+QString vectorText(glm::dvec2 vector);          ///< in (u,v)
+QString ellipseText(const FootprintEllipse& ellipse);
+
+/// Values as they are stored: whole numbers for the integer types.
+QString storedText(TexelType type, std::span<const float> values);
+
+/// The values as a screen colour; one or two channels give a grey, a fourth channel is opacity.
+QColor shownColor(std::span<const float> values);
+/// "#c8c8c8 · 200 200 200"
+QString shownText(const QColor& color);
+
+} // namespace trixel::ui
