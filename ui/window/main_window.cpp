@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "ui/docks/brush_panel.h"
+#include "ui/docks/readout_panel.h"
+#include "ui/docks/report_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/actions.h"
+#include "ui/window/brush_actions.h"
+#include "ui/window/command_palette.h"
+#include "ui/window/edit_actions.h"
+#include "ui/window/file_actions.h"
+#include "ui/window/job_bar.h"
+#include "ui/window/message_bar.h"
+#include "ui/window/panel_actions.h"
+#include "ui/window/status_line.h"
+#include "ui/window/tool_actions.h"
+#include "ui/window/view_actions.h"
+#include "ui/window/welcome.h"
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr QSize kFirstSize(1440, 900);
+constexpr int kIconSize = 20;
+constexpr int kPanelWidth = 310;
+/// Of the surface's size: a first brush that covers a few faces of most meshes.
+constexpr float kFirstRadius = 0.03F;
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent)
+    , m_colors(m_settings)
+    , m_files(m_document, m_jobs)
+{
+    setObjectName("mainWindow");
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+    setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    resize(kFirstSize);
+    makeCenter();
+    makePanels();
+    makeMenus();
+    makeToolBars();
+    makeStatusBar();
+    connectView();
+    restore();
+    connect(&m_document, &Document::opened, this, &MainWindow::takeDocument);
+    connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    showTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::open(const QString& path)
+{
+    m_fileActions->open(path);
+}
+
+void MainWindow::makeCenter()
+{
+    m_messages = new MessageBar;
+    m_viewport = new Viewport(m_document, m_settings);
+    m_viewport->setAccessibleName(tr("3D view"));
+    m_viewport->setObjectName("viewport");
+    m_fileActions = new FileActions(m_document, m_files, *m_messages, *this);
+    m_center = new QStackedWidget;
+    m_center->addWidget(new Welcome({m_fileActions->newAction(), m_fileActions->openAction()}));
+    m_center->addWidget(m_viewport);
+
+    auto* whole = new QWidget;
+    auto* layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_messages);
+    layout->addWidget(m_center, 1);
+    setCentralWidget(whole);
+}
+
+QDockWidget* MainWindow::addPanel(const QString& name, const QString& title, QWidget* content)
+{
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    dock->setMinimumWidth(kPanelWidth);
+    for (QWidget* button : dock->findChildren<QWidget*>(QRegularExpression("^qt_dockwidget_.*"))) {
+        button->setToolTip(button->objectName().contains("close") ? tr("Close the panel")
+                                                                  : tr("Detach the panel"));
+    }
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    return dock;
+}
+
+void MainWindow::makePanels()
+{
+    m_panelActions = new PanelActions(*this, *m_viewport);
+    m_brushPanel = new BrushPanel(m_settings, m_colors);
+    m_readout = new ReadoutPanel(m_document);
+    m_report = new ReportPanel;
+    auto* history = new QUndoView(&m_document.undoStack());
+    history->setEmptyLabel(tr("As opened"));
+    history->setAccessibleName(tr("Undo history"));
+    history->setToolTip(tr("Choose a step to go back or forward to it"));
+
+    QDockWidget* brush = addPanel("brushPanel", tr("Brush"), m_brushPanel);
+    QDockWidget* readout = addPanel("readoutPanel", tr("Texel"), m_readout);
+    QDockWidget* report = addPanel("reportPanel", tr("Mesh"), m_report);
+    QDockWidget* steps = addPanel("historyPanel", tr("History"), history);
+    tabifyDockWidget(readout, report);
+    tabifyDockWidget(report, steps);
+    readout->raise();
+    m_panelActions->add(*brush, {Qt::Key_F2});
+    m_panelActions->add(*readout, {Qt::Key_F3});
+    m_panelActions->add(*report, {Qt::Key_F4});
+    m_panelActions->add(*steps, {Qt::Key_F5});
+}
+
+void MainWindow::makeMenus()
+{
+    m_editActions = new EditActions(m_document, m_settings, *this);
+    m_toolActions = new ToolActions(m_settings, *this);
+    m_brushActions = new BrushActions(m_settings, m_colors, *m_brushPanel, *this);
+    m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
+
+    m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
+    m_editActions->fillMenu(*menuBar()->addMenu(tr("&Edit")));
+    m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
+    m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    m_viewActions->fillMenu(*view);
+    view->addSeparator();
+    m_panelActions->fillMenu(*view);
+
+    ActionMaker make(*this);
+    QAction* commands = make(tr("&Commands…"),
+                             tr("Search all commands by typing"),
+                             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
+    QAction* about = make(tr("&About Trixel"), tr("Version and licence"));
+    connect(commands, &QAction::triggered, this, &MainWindow::showCommands);
+    connect(about, &QAction::triggered, this, &MainWindow::showAbout);
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    help->addAction(commands);
+    help->addAction(about);
+}
+
+void MainWindow::makeToolBars()
+{
+    auto* tools = new QToolBar(tr("Tools"));
+    tools->setObjectName("toolBar");
+    m_toolActions->fillToolBar(*tools);
+    addToolBar(Qt::LeftToolBarArea, tools);
+
+    auto* main = new QToolBar(tr("File and View"));
+    main->setObjectName("mainToolBar");
+    main->addAction(m_fileActions->newAction());
+    main->addAction(m_fileActions->openAction());
+    main->addAction(m_fileActions->saveAction());
+    main->addSeparator();
+    main->addAction(m_editActions->undoAction());
+    main->addAction(m_editActions->redoAction());
+    main->addSeparator();
+    m_viewActions->fillToolBar(*main);
+    addToolBar(Qt::TopToolBarArea, main);
+    for (QToolBar* bar : {tools, main}) {
+        bar->setIconSize({kIconSize, kIconSize});
+        bar->setMovable(false);
+        // The keyboard reaches the same actions through the menus.
+        for (QToolButton* button : bar->findChildren<QToolButton*>()) {
+            button->setFocusPolicy(Qt::NoFocus);
+        }
+    }
+}
+
+void MainWindow::makeStatusBar()
+{
+    m_hint = new QLabel;
+    m_hint->setAccessibleName(tr("Hint"));
+    m_hint->setToolTip(tr("What the chosen tool does"));
+    // A narrow window cuts the hint off instead of widening.
+    m_hint->setMinimumWidth(1);
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    statusBar()->addWidget(m_hint, 1);
+    statusBar()->addPermanentWidget(new JobBar(m_jobs));
+    statusBar()->addPermanentWidget(new StatusLine(m_document));
+    const auto showHint = [this] { m_hint->setText(ToolActions::hintFor(m_settings.tool())); };
+    connect(&m_settings, &ViewSettings::toolChanged, this, showHint);
+    showHint();
+    connect(&m_files, &ProjectFiles::saved, this, [this](const QString& path) {
+        constexpr int kShownMs = 4000;
+        statusBar()->showMessage(tr("Saved %1").arg(path), kShownMs);
+    });
+}
+
+void MainWindow::connectView()
+{
+    connect(m_viewport, &Viewport::hovered, m_readout, &ReadoutPanel::show);
+    connect(m_viewport, &Viewport::colorPicked, this, [this](const std::array<float, 4>& color) {
+        m_colors.choose(color);
+    });
+    connect(m_viewport, &Viewport::notice, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Note, sentence);
+    });
+}
+
+void MainWindow::takeDocument()
+{
+    m_center->setCurrentWidget(m_document.isOpen() ? static_cast<QWidget*>(m_viewport)
+                                                   : m_center->widget(0));
+    m_readout->clear();
+    m_report->show(m_document.surface().get());
+    if (m_document.isOpen()) {
+        const float size = m_document.surface()->size();
+        const TexelFormat& format = m_document.texels().format();
+        Brush brush = m_settings.brush();
+        brush.radius = size > 0 ? size * kFirstRadius : 1.0F;
+        m_settings.setBrush(brush);
+        m_brushPanel->setSurfaceSize(size);
+        m_brushPanel->setHasAlpha(format.channels >= 4);
+        m_brushActions->setSurfaceSize(size);
+        m_colors.setGreyOnly(format.channels < 3);
+        m_viewport->setFocus();
+    }
+}
+
+void MainWindow::showTitle()
+{
+    setWindowTitle(m_document.isOpen() ? tr("%1[*] – Trixel").arg(m_document.title())
+                                       : tr("Trixel"));
+    setWindowModified(m_document.isModified());
+}
+
+void MainWindow::showCommands()
+{
+    auto* palette = new CommandPalette(*menuBar(), this);
+    palette->setAttribute(Qt::WA_DeleteOnClose);
+    const QPoint top(width() / 2 - palette->width() / 2, menuBar()->height() + 40);
+    palette->move(mapToGlobal(top));
+    palette->show();
+}
+
+void MainWindow::showAbout()
+{
+    auto* box = new QMessageBox(QMessageBox::NoIcon,
+                                tr("About Trixel"),
+                                tr("<b>Trixel %1</b>").arg(QCoreApplication::applicationVersion()),
+                                QMessageBox::Ok,
+                                this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(tr("Paint and inspect Ptex textures of triangle meshes.<br>"
+                               "Free software under the GNU GPL, version 3 or later."));
+    box->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_mayClose) {
+        remember();
+        event->accept();
+        return;
+    }
+    event->ignore();
+    m_fileActions->withoutLoss([this] {
+        m_mayClose = true;
+        // Not from within the event that asks.
+        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
+    });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            event->acceptProposedAction();
+            return;
+        }
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls()) {
+        if (url.isLocalFile()) {
+            paths += url.toLocalFile();
+        }
+    }
+    event->acceptProposedAction();
+    m_fileActions->openDropped(paths);
+}
+
+void MainWindow::restore()
+{
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray());
+    std::vector<QColor> recent;
+    for (const QString& name : settings.value("brush/recentColours").toStringList()) {
+        if (const QColor color(name); color.isValid()) {
+            recent.push_back(color);
+        }
+    }
+    m_colors.restore(recent);
+}
+
+void MainWindow::remember() const
+{
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState());
+    QStringList recent;
+    for (const QColor& color : m_colors.recent()) {
+        recent += color.name(QColor::HexArgb);
+    }
+    settings.setValue("brush/recentColours", recent);
+}
+
+} // namespace trixel::ui

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/docks/brush_colors.h"
+#include "ui/document/background_job.h"
+#include "ui/document/document.h"
+#include "ui/document/project_files.h"
+#include "ui/viewport/view_settings.h"
+
+class QLabel;
+class QStackedWidget;
+
+namespace trixel::ui {
+
+class BrushActions;
+class BrushPanel;
+class EditActions;
+class FileActions;
+class MessageBar;
+class PanelActions;
+class ReadoutPanel;
+class ReportPanel;
+class ToolActions;
+class ViewActions;
+class Viewport;
+
+/// The window: puts document, view, panels and menus together. What they do lives in them.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Document& document() { return m_document; }
+    ViewSettings& settings() { return m_settings; }
+    ProjectFiles& files() { return m_files; }
+    BackgroundJobs& jobs() { return m_jobs; }
+    Viewport& viewport() { return *m_viewport; }
+    MessageBar& messages() { return *m_messages; }
+
+    /// Opens a file as if chosen in the menu.
+    void open(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void makeCenter();
+    void makePanels();
+    void makeMenus();
+    void makeToolBars();
+    void makeStatusBar();
+    void connectView();
+    QDockWidget* addPanel(const QString& name, const QString& title, QWidget* content);
+    void takeDocument();
+    void showTitle();
+    void showCommands();
+    void showAbout();
+    void restore();
+    void remember() const;
+
+    Document m_document;
+    ViewSettings m_settings;
+    BrushColors m_colors;
+    BackgroundJobs m_jobs;
+    ProjectFiles m_files;
+
+    QStackedWidget* m_center = nullptr;
+    Viewport* m_viewport = nullptr;
+    MessageBar* m_messages = nullptr;
+    BrushPanel* m_brushPanel = nullptr;
+    ReadoutPanel* m_readout = nullptr;
+    ReportPanel* m_report = nullptr;
+    QLabel* m_hint = nullptr;
+    FileActions* m_fileActions = nullptr;
+    EditActions* m_editActions = nullptr;
+    ToolActions* m_toolActions = nullptr;
+    BrushActions* m_brushActions = nullptr;
+    ViewActions* m_viewActions = nullptr;
+    PanelActions* m_panelActions = nullptr;
+    bool m_mayClose = false;
+};
+
+} // namespace trixel::ui

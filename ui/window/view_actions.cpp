@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/view_actions.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QToolBar>
+
+#include "ui/document/document.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/actions.h"
+
+#include <algorithm>
+
+namespace trixel::ui {
+
+ViewActions::ViewActions(const Document& document,
+                         ViewSettings& settings,
+                         Viewport& viewport,
+                         QWidget& window)
+    : QObject(&window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_window(window)
+{
+    ActionMaker make(window);
+    m_frame = make(tr("&Frame"), tr("Look at the faces under the pointer"), {Qt::Key_F}, "frame");
+    m_frameAll = make(tr("Frame &All"), tr("Look at the whole surface"), {Qt::Key_A}, "frame-all");
+    connect(m_frame, &QAction::triggered, &viewport, &Viewport::frameHovered);
+    connect(m_frameAll, &QAction::triggered, &viewport, &Viewport::frameAll);
+
+    addSwitch(tr("&Lit"),
+              tr("Shade the surface by a light; off shows the texels' own colours"),
+              {Qt::Key_U},
+              "lit",
+              &ViewOptions::lit);
+    addSwitch(tr("&Wireframe"),
+              tr("Draw the edges of the faces"),
+              {Qt::Key_W},
+              "wireframe",
+              &ViewOptions::wireframe);
+    addSwitch(tr("&Texel Grid"),
+              tr("Draw the edges of the texels"),
+              {Qt::Key_T},
+              "texel-grid",
+              &ViewOptions::texelGrid);
+    addSwitch(tr("F&ootprint"),
+              tr("Draw the ellipse that the pixel under the pointer averages"),
+              {Qt::Key_O},
+              "footprint",
+              &ViewOptions::footprint);
+    makeMips();
+    connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
+    connect(&document, &Document::opened, this, &ViewActions::listMips);
+    listMips();
+}
+
+QAction* ViewActions::addSwitch(const QString& text,
+                                const QString& toolTip,
+                                const QKeySequence& shortcut,
+                                const QString& iconName,
+                                bool ViewOptions::*option)
+{
+    QAction* action = ActionMaker(m_window).toggle(text, toolTip, shortcut, iconName);
+    m_switches.emplace_back(action, option);
+    connect(action, &QAction::toggled, this, [this, option](bool on) {
+        ViewOptions view = m_settings.view();
+        view.*option = on;
+        m_settings.setView(view);
+    });
+    return action;
+}
+
+void ViewActions::makeMips()
+{
+    ActionMaker make(m_window);
+    m_coarser =
+        make(tr("&Coarser Mip Level"), tr("Show every face one level coarser"), {Qt::Key_PageDown});
+    m_finer = make(tr("F&iner Mip Level"), tr("Show every face one level finer"), {Qt::Key_PageUp});
+    connect(m_coarser, &QAction::triggered, this, [this] {
+        setMipDrop(m_settings.view().mipDrop + 1);
+    });
+    connect(
+        m_finer, &QAction::triggered, this, [this] { setMipDrop(m_settings.view().mipDrop - 1); });
+    m_mips = new QComboBox(&m_window);
+    m_mips->setAccessibleName(tr("Mip level"));
+    m_mips->setToolTip(
+        tr("How many levels coarser every face is shown (Page Down coarser, Page Up finer)"));
+    m_mips->setFocusPolicy(Qt::TabFocus);
+    connect(m_mips, &QComboBox::activated, this, &ViewActions::setMipDrop);
+}
+
+void ViewActions::listMips()
+{
+    // The finest level decides how many steps change anything.
+    int most = 0;
+    for (std::size_t k = 0; k < m_document.texels().faceCount(); ++k) {
+        most = std::max(most, m_document.texels().face(faceId(k)).level().log2());
+    }
+    const QSignalBlocker quiet(m_mips);
+    m_mips->clear();
+    for (int drop = 0; drop <= most; ++drop) {
+        m_mips->addItem(drop == 0 ? tr("Full resolution") : tr("Mip %1 of %2").arg(drop).arg(most));
+    }
+    setMipDrop(0);
+    follow();
+}
+
+void ViewActions::setMipDrop(int drop)
+{
+    ViewOptions view = m_settings.view();
+    view.mipDrop = std::clamp(drop, 0, m_mips->count() - 1);
+    m_settings.setView(view);
+}
+
+void ViewActions::follow()
+{
+    for (const auto& [action, option] : m_switches) {
+        action->setChecked(m_settings.view().*option);
+    }
+    const int drop = m_settings.view().mipDrop;
+    m_mips->setCurrentIndex(drop);
+    m_mips->setEnabled(m_document.isOpen());
+    m_coarser->setEnabled(drop + 1 < m_mips->count());
+    m_finer->setEnabled(drop > 0);
+    m_frame->setEnabled(m_document.isOpen());
+    m_frameAll->setEnabled(m_document.isOpen());
+}
+
+void ViewActions::fillMenu(QMenu& menu)
+{
+    menu.addAction(m_frame);
+    menu.addAction(m_frameAll);
+    menu.addSeparator();
+    for (const auto& [action, option] : m_switches) {
+        menu.addAction(action);
+    }
+    menu.addSeparator();
+    menu.addAction(m_coarser);
+    menu.addAction(m_finer);
+}
+
+void ViewActions::fillToolBar(QToolBar& bar)
+{
+    bar.addAction(m_frameAll);
+    bar.addSeparator();
+    for (const auto& [action, option] : m_switches) {
+        bar.addAction(action);
+    }
+    bar.addSeparator();
+    bar.addWidget(m_mips);
+}
+
+} // namespace trixel::ui
