@@ -29,6 +29,8 @@ struct Brush
     bool pressureToOpacity = false;
     /// Paint faces that face away from the hit point's normal too.
     bool paintThrough = false;
+
+    bool operator==(const Brush&) const = default;
 };
 
 /// Fails with the first setting out of range, NaN included, by name and value.

@@ -23,6 +23,8 @@ struct StrokeSample
     glm::vec2 uv{0};
     float pressure = 1.0F; ///< [0,1]
     double time = 0.0;     ///< seconds since the stroke began
+
+    bool operator==(const StrokeSample&) const = default;
 };
 
 /// Texels of one face that the last call changed: a rectangle of the packed square, so that only
@@ -38,6 +40,13 @@ struct TouchedRect
 /// store. Opacity caps what the stroke covers, flow builds it up, whatever the number of dabs.
 /// Cost follows the texels touched. The same samples give the same texels, whatever the number of
 /// threads and however the samples are grouped into calls.
+///
+/// A dab is a sphere. What it adds to a texel depends only on where the texel's centroid lies in
+/// it: coverage moves by flow times falloff towards the opacity (times the pressure where that sets
+/// the opacity) and never back, and the texel becomes before + coverage (colour - before). Faces of
+/// every level within the sphere are painted, duplicates and degenerate ones too; without
+/// paint-through not those that face away from the dab. A dab that reaches no texel's centroid
+/// paints nothing. A dab of no pressure paints nothing where pressure sets size or opacity.
 class Stroke
 {
 public:

@@ -6,7 +6,8 @@
 #include "core/paint/brush.h"
 #include "core/paint/stroke.h"
 
-#include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,19 @@ struct RecordedStroke
 };
 
 /// Reads a stroke file (JSON, version 1; see the command line's documentation). Errors name the
-/// stroke and the field. Faces are checked against `faceCount`.
+/// stroke and the sample, counted from 1, and the field. Faces are checked against `faceCount`.
+/// Required are "version", "strokes", each stroke's "brush" (with "radius" and "color") and
+/// "samples" (each with "face", "u" and "v"); what else is left out has its default. Beyond the
+/// documented fields a brush may hold "pressureToSize", "pressureToOpacity" and "paintThrough";
+/// fields of other names are refused, and so are layers but 0, units but "world" and brushes that
+/// `validate` refuses.
 Result<std::vector<RecordedStroke>> parseStrokes(std::string_view json, std::size_t faceCount);
+
+/// The text that `parseStrokes` reads back to equal strokes.
 std::string writeStrokes(std::span<const RecordedStroke> strokes);
 
-/// Replays strokes in order on a store. The result does not depend on the number of threads.
+/// Replays strokes in order on a store. The result does not depend on the number of threads. Fails
+/// when a brush is not valid or when cancelled, and then leaves the store as it was.
 Status replayStrokes(std::span<const RecordedStroke> strokes,
                      const std::shared_ptr<const Surface>& surface,
                      std::span<const std::byte> fill,

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/paint/dab_raster.h"
+#include "core/paint/stroke.h"
+#include "core/paint/stroke_buffer.h"
+#include "core/paint/texel_blend.h"
+
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace trixel {
+
+/// Paints the dabs of one stroke into a store, and remembers what the stroke has covered and what
+/// was there before.
+///
+/// A dab goes through three steps. Coverage grows, in parallel over rows of tiles; then the faces
+/// that really change are made writable, one after the other; then the texels are blended, in
+/// parallel again. A constant face is spread out only once a texel of it takes another value.
+class DabPainter
+{
+public:
+    DabPainter(const TexelFormat& format,
+               std::span<const float> value,
+               float hardness,
+               float flow,
+               Threads threads);
+
+    /// \param faces  faces to paint, each once
+    void paint(const Dab& dab,
+               const TriangleMesh& mesh,
+               std::span<const FaceId> faces,
+               TexelStore& store);
+
+    /// What changed since the last call, each face once, in ascending order.
+    std::vector<TouchedRect> takeTouched();
+
+    /// What all dabs changed; the painter begins anew.
+    TexelPatch finish(const TexelStore& store);
+
+private:
+    /// Texels of one row of one tile whose coverage grew.
+    struct Segment
+    {
+        const StrokeTile* tile = nullptr;
+        std::uint16_t x = 0; ///< in the packed square
+        std::uint16_t y = 0;
+        std::uint16_t count = 0;
+    };
+
+    /// One row of tiles of one face under the dab: a piece of work for one thread.
+    struct Piece
+    {
+        StrokeFace* face = nullptr;
+        const FaceTexels* now = nullptr;
+        std::span<std::byte> texels; ///< all of the face, once it is writable
+        HalfRaster lower;
+        HalfRaster upper;
+        RowRange lowerRows;
+        RowRange upperRows;
+        std::uint32_t tileY = 0;
+        std::vector<Segment> segments;
+        bool changes = false; ///< some texel takes another value than before the stroke
+    };
+
+    StrokeFace& strokeFace(FaceId face, const TexelStore& store);
+    void addPieces(FaceId face, const Dab& dab, const TriangleMesh& mesh, const TexelStore& store);
+    Piece& nextPiece();
+    void cover(Piece& piece, const Dab& dab) const;
+    void coverRow(Piece& piece, const HalfRaster& half, std::uint32_t row, const Dab& dab) const;
+    bool changesAnything(const Piece& piece) const;
+    void blend(const Piece& piece) const;
+    void makeWritable(TexelStore& store);
+    void touch(const Piece& piece, bool wasSpreadNow);
+    Threads threadsFor(double texels) const;
+
+    TexelFormat m_format;
+    TexelBlend m_blend;
+    Falloff m_falloff;
+    float m_flow;
+    Threads m_threads;
+
+    std::vector<std::unique_ptr<StrokeFace>> m_faces;         ///< in the order they were reached
+    std::unordered_map<std::uint32_t, std::size_t> m_placeOf; ///< of a face in m_faces
+    std::vector<Piece> m_pieces;                              ///< kept for their memory
+    std::size_t m_pieceCount = 0;
+    std::unordered_map<std::uint32_t, TouchedRect> m_touched;
+};
+
+} // namespace trixel

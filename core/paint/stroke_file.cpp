@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/paint/stroke_file.h"
+
+#include "core/base/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace trixel {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::pair<std::string_view, BlendMode>, 2> kBlendNames{
+    {{"normal", BlendMode::Normal}, {"erase", BlendMode::Erase}}};
+
+/// A value as an error shows it: short, whatever was in the file.
+std::string shown(const Json& value)
+{
+    constexpr std::size_t kLongest = 40;
+    if (value.is_structured()) {
+        return value.is_array() ? "an array" : "an object";
+    }
+    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
+}
+
+/// One object of the file, and what errors call it.
+class Fields
+{
+public:
+    static Result<Fields> of(const Json& json, std::string place)
+    {
+        if (!json.is_object()) {
+            return contentsError(place + ": expected an object, found " + shown(json));
+        }
+        return Fields(json, std::move(place));
+    }
+
+    const std::string& place() const { return m_place; }
+
+    const Json* find(const char* name) const
+    {
+        const auto field = m_json->find(name);
+        return field == m_json->end() ? nullptr : &*field;
+    }
+
+    tl::unexpected<Error>
+    error(const char* name, const std::string& expected, const Json& found) const
+    {
+        return contentsError(m_place + ": " + name + ": expected " + expected + ", found " +
+                             shown(found));
+    }
+
+    /// A field that must be there.
+    Result<const Json*> need(const char* name) const
+    {
+        const Json* field = find(name);
+        if (field == nullptr) {
+            return contentsError(m_place + ": " + name + " is missing");
+        }
+        return field;
+    }
+
+    /// Fails on a field that none of the names stands for: a misspelt setting is not passed over.
+    Status onlyHas(std::initializer_list<std::string_view> names) const
+    {
+        for (const auto& [name, value] : m_json->items()) {
+            if (std::ranges::find(names, name) == names.end()) {
+                return contentsError(m_place + ": there is no field " + shown(Json(name)));
+            }
+        }
+        return {};
+    }
+
+    /// Leaves `value` alone if the field is absent.
+    template <class T>
+    Status number(const char* name, T& value) const
+    {
+        const Json* field = find(name);
+        if (field == nullptr) {
+            return {};
+        }
+        const double limit = static_cast<double>(std::numeric_limits<T>::max());
+        if (!field->is_number() || !(std::abs(field->template get<double>()) <= limit)) {
+            return error(name, "a finite number", *field);
+        }
+        value = static_cast<T>(field->template get<double>());
+        return {};
+    }
+
+    Status flag(const char* name, bool& value) const
+    {
+        const Json* field = find(name);
+        if (field != nullptr && !field->is_boolean()) {
+            return error(name, "true or false", *field);
+        }
+        value = field == nullptr ? value : field->get<bool>();
+        return {};
+    }
+
+    /// Fails if the field is there and is anything else.
+    Status mustBe(const char* name, const Json& only) const
+    {
+        const Json* field = find(name);
+        if (field != nullptr && *field != only) {
+            return error(name, only.dump(), *field);
+        }
+        return {};
+    }
+
+    Result<const Json*> array(const char* name) const
+    {
+        auto field = need(name);
+        if (field && !(*field)->is_array()) {
+            return error(name, "an array", **field);
+        }
+        return field;
+    }
+
+private:
+    Fields(const Json& json, std::string place)
+        : m_json(&json)
+        , m_place(std::move(place))
+    {
+    }
+
+    const Json* m_json;
+    std::string m_place;
+};
+
+/// The first failure of several.
+Status firstError(std::initializer_list<Status> all)
+{
+    const auto* failed = std::ranges::find_if(all, [](const Status& s) { return !s; });
+    return failed == all.end() ? Status() : *failed;
+}
+
+Status parseBlend(const Fields& fields, BlendMode& blend)
+{
+    const Json* field = fields.find("blend");
+    if (field == nullptr) {
+        return {};
+    }
+    const auto* known = std::ranges::find_if(
+        kBlendNames, [&](const auto& entry) { return *field == Json(std::string(entry.first)); });
+    if (known == kBlendNames.end()) {
+        return fields.error("blend", "\"normal\" or \"erase\"", *field);
+    }
+    blend = known->second;
+    return {};
+}
+
+/// One to four numbers; where fewer than three are given, the last stands for the rest up to the
+/// third. The fourth is 1 unless given.
+Status parseColor(const Fields& fields, std::array<float, 4>& color)
+{
+    const auto field = fields.need("color");
+    if (!field) {
+        return tl::unexpected(field.error());
+    }
+    const Json& values = **field;
+    const double limit = std::numeric_limits<float>::max();
+    const bool usable = values.is_array() && !values.empty() && values.size() <= color.size() &&
+                        std::ranges::all_of(values, [&](const Json& v) {
+                            return v.is_number() && std::abs(v.get<double>()) <= limit;
+                        });
+    if (!usable) {
+        return fields.error("color", "an array of 1 to 4 finite numbers", values);
+    }
+    for (std::size_t k = 0; k < color.size(); ++k) {
+        const bool opaque = k == 3 && values.size() < 4;
+        color[k] = opaque
+                       ? 1.0F
+                       : static_cast<float>(values[std::min(k, values.size() - 1)].get<double>());
+    }
+    return {};
+}
+
+Result<Brush> parseBrush(const Json& json, const std::string& place)
+{
+    const auto fields = Fields::of(json, place);
+    if (!fields) {
+        return tl::unexpected(fields.error());
+    }
+    Brush brush;
+    const auto radius = fields->need("radius");
+    const Status needed = radius ? Status() : Status(tl::unexpected(radius.error()));
+    const Status status = firstError({fields->onlyHas({"radius",
+                                                       "unit",
+                                                       "hardness",
+                                                       "opacity",
+                                                       "flow",
+                                                       "spacing",
+                                                       "blend",
+                                                       "color",
+                                                       "pressureToSize",
+                                                       "pressureToOpacity",
+                                                       "paintThrough"}),
+                                      needed,
+                                      fields->number("radius", brush.radius),
+                                      fields->mustBe("unit", "world"),
+                                      fields->number("hardness", brush.hardness),
+                                      fields->number("opacity", brush.opacity),
+                                      fields->number("flow", brush.flow),
+                                      fields->number("spacing", brush.spacing),
+                                      parseBlend(*fields, brush.blend),
+                                      parseColor(*fields, brush.color),
+                                      fields->flag("pressureToSize", brush.pressureToSize),
+                                      fields->flag("pressureToOpacity", brush.pressureToOpacity),
+                                      fields->flag("paintThrough", brush.paintThrough)});
+    if (!status) {
+        return tl::unexpected(status.error());
+    }
+    if (const Status valid = validate(brush); !valid) {
+        return prefixed(place, valid.error());
+    }
+    return brush;
+}
+
+Result<StrokeSample> parseSample(const Json& json, const std::string& place, std::size_t faceCount)
+{
+    const auto fields = Fields::of(json, place);
+    if (!fields) {
+        return tl::unexpected(fields.error());
+    }
+    StrokeSample sample;
+    for (const char* name : {"face", "u", "v"}) {
+        if (const auto field = fields->need(name); !field) {
+            return tl::unexpected(field.error());
+        }
+    }
+    const Json& face = *fields->find("face");
+    if (!face.is_number_unsigned() || face.get<std::uint64_t>() >= faceCount) {
+        return fields->error("face",
+                             "a whole number below the mesh's " + std::to_string(faceCount) +
+                                 " faces",
+                             face);
+    }
+    sample.face = faceId(face.get<std::size_t>());
+    const Status status = firstError({fields->onlyHas({"face", "u", "v", "pressure", "time"}),
+                                      fields->number("u", sample.uv.x),
+                                      fields->number("v", sample.uv.y),
+                                      fields->number("pressure", sample.pressure),
+                                      fields->number("time", sample.time)});
+    if (!status) {
+        return tl::unexpected(status.error());
+    }
+    // A little over: sums of rounded numbers from another program.
+    constexpr float kOver = 1e-4F;
+    for (const auto& [name, value] : {std::pair("u", sample.uv.x), std::pair("v", sample.uv.y)}) {
+        if (value < -kOver || sample.uv.x + sample.uv.y > 1.0F + kOver) {
+            return fields->error(name, "u and v from 0 on with a sum up to 1", *fields->find(name));
+        }
+    }
+    if (sample.pressure < 0.0F || sample.pressure > 1.0F) {
+        return fields->error("pressure", "a number from 0 to 1", *fields->find("pressure"));
+    }
+    return sample;
+}
+
+Result<RecordedStroke>
+parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
+{
+    const auto fields = Fields::of(json, place);
+    if (!fields) {
+        return tl::unexpected(fields.error());
+    }
+    const Status status =
+        firstError({fields->onlyHas({"layer", "brush", "samples"}), fields->mustBe("layer", 0)});
+    if (!status) {
+        return tl::unexpected(status.error());
+    }
+    const auto brushField = fields->need("brush");
+    const auto samples = fields->array("samples");
+    if (!brushField || !samples) {
+        return tl::unexpected(brushField ? samples.error() : brushField.error());
+    }
+    const auto brush = parseBrush(**brushField, place + ", brush");
+    if (!brush) {
+        return tl::unexpected(brush.error());
+    }
+    RecordedStroke stroke{*brush, {}};
+    stroke.samples.reserve((*samples)->size());
+    for (const Json& entry : **samples) {
+        const std::string samplePlace =
+            place + ", sample " + std::to_string(stroke.samples.size() + 1);
+        const auto sample = parseSample(entry, samplePlace, faceCount);
+        if (!sample) {
+            return tl::unexpected(sample.error());
+        }
+        stroke.samples.push_back(*sample);
+    }
+    return stroke;
+}
+
+Result<Json> parseJson(std::string_view text)
+{
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        return contentsError("not JSON: byte " + std::to_string(error.byte) +
+                             " is not what the grammar expects");
+    } catch (const Json::exception&) {
+        return contentsError("not usable as JSON: a number is out of range");
+    }
+}
+
+Json toJson(const RecordedStroke& stroke)
+{
+    const Brush& brush = stroke.brush;
+    const auto* blend = std::ranges::find(
+        kBlendNames, brush.blend, &std::pair<std::string_view, BlendMode>::second);
+    Json samples = Json::array();
+    for (const StrokeSample& sample : stroke.samples) {
+        samples.push_back({{"face", static_cast<std::uint32_t>(sample.face)},
+                           {"u", sample.uv.x},
+                           {"v", sample.uv.y},
+                           {"pressure", sample.pressure},
+                           {"time", sample.time}});
+    }
+    return {{"layer", 0},
+            {"brush",
+             {{"radius", brush.radius},
+              {"unit", "world"},
+              {"hardness", brush.hardness},
+              {"opacity", brush.opacity},
+              {"flow", brush.flow},
+              {"spacing", brush.spacing},
+              {"blend", std::string(blend->first)},
+              {"color", brush.color},
+              {"pressureToSize", brush.pressureToSize},
+              {"pressureToOpacity", brush.pressureToOpacity},
+              {"paintThrough", brush.paintThrough}}},
+            {"samples", std::move(samples)}};
+}
+
+} // namespace
+
+Result<std::vector<RecordedStroke>> parseStrokes(std::string_view text, std::size_t faceCount)
+{
+    const auto json = parseJson(text);
+    if (!json) {
+        return tl::unexpected(json.error());
+    }
+    const auto fields = Fields::of(*json, "stroke file");
+    if (!fields) {
+        return tl::unexpected(fields.error());
+    }
+    const auto version = fields->need("version");
+    const auto list = fields->array("strokes");
+    const Status status = firstError({version ? Status() : Status(tl::unexpected(version.error())),
+                                      fields->mustBe("version", 1),
+                                      fields->onlyHas({"version", "strokes"}),
+                                      list ? Status() : Status(tl::unexpected(list.error()))});
+    if (!status) {
+        return tl::unexpected(status.error());
+    }
+    std::vector<RecordedStroke> strokes;
+    for (const Json& entry : **list) {
+        auto stroke = parseStroke(entry, "stroke " + std::to_string(strokes.size() + 1), faceCount);
+        if (!stroke) {
+            return tl::unexpected(stroke.error());
+        }
+        strokes.push_back(std::move(*stroke));
+    }
+    return strokes;
+}
+
+std::string writeStrokes(std::span<const RecordedStroke> strokes)
+{
+    Json list = Json::array();
+    for (const RecordedStroke& stroke : strokes) {
+        list.push_back(toJson(stroke));
+    }
+    return Json{{"version", 1}, {"strokes", std::move(list)}}.dump(1) + "\n";
+}
+
+} // namespace trixel

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/paint/texel_blend.h"
+
+#include "core/base/check.h"
+#include "core/texture/texel_codec.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trixel {
+
+namespace {
+
+/// Values worked on at a time; at least the channels of one texel.
+constexpr std::size_t kChunkValues = TexelFormat::kMaxChannels;
+
+/// Blends a chunk of values. Everything lies in arrays of its own, so that the loop has nothing to
+/// suspect and runs several values at a time.
+template <TexelType kType>
+void blendValues(const std::byte* before,
+                 const float* coverage,
+                 const float* value,
+                 std::size_t count,
+                 std::byte* texels)
+{
+    using Codec = TexelCodec<kType>;
+    using Stored = typename Codec::Stored;
+    std::array<Stored, kChunkValues> from;
+    std::array<Stored, kChunkValues> to;
+    std::memcpy(from.data(), before, count * sizeof(Stored));
+    for (std::size_t k = 0; k < count; ++k) {
+        const float old = Codec::decoded(from[k]);
+        const float mixed = old + coverage[k] * (value[k] - old);
+        const Stored moved = Codec::encoded(coverage[k] >= 1.0F ? value[k] : mixed);
+        to[k] = coverage[k] > 0.0F ? moved : from[k];
+    }
+    std::memcpy(texels, to.data(), count * sizeof(Stored));
+}
+
+/// Each texel's coverage once per channel. \param coverage  `texels` of them
+void spreadOverChannels(const float* coverage,
+                        std::size_t texels,
+                        std::size_t channels,
+                        float* values)
+{
+    for (std::size_t k = 0; k < texels; ++k) {
+        std::fill_n(values + k * channels, channels, coverage[k]);
+    }
+}
+
+} // namespace
+
+TexelBlend::TexelBlend(const TexelFormat& format, std::span<const float> value)
+    : m_format(format)
+    , m_chunk(std::min<std::size_t>(64, kChunkValues / format.channels))
+{
+    check(value.size() == format.channels, "a value per channel");
+    for (std::size_t k = 0; k < m_chunk; ++k) {
+        m_value.insert(m_value.end(), value.begin(), value.end());
+    }
+}
+
+void TexelBlend::blend(std::span<const std::byte> before,
+                       std::span<const float> coverage,
+                       std::span<std::byte> texels) const
+{
+    const std::size_t texelBytes = m_format.texelBytes();
+    check(before.size() == coverage.size() * texelBytes && texels.size() == before.size(),
+          "a coverage per texel");
+    withTexelType(m_format.type, [&](auto type) {
+        std::array<float, kChunkValues> spread;
+        for (std::size_t done = 0; done < coverage.size(); done += m_chunk) {
+            const std::size_t some = std::min(m_chunk, coverage.size() - done);
+            spreadOverChannels(coverage.data() + done, some, m_format.channels, spread.data());
+            blendValues<decltype(type)::value>(before.data() + done * texelBytes,
+                                               spread.data(),
+                                               m_value.data(),
+                                               some * m_format.channels,
+                                               texels.data() + done * texelBytes);
+        }
+    });
+}
+
+} // namespace trixel
