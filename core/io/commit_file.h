@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/read_file.h"
 #include "core/base/result.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
+#include <span>
+#include <string_view>
 
 namespace trixel {
 
-/// Replaces a file whole or not at all: writes a temporary file in the same folder, syncs it,
-/// re-opens and verifies it, renames it, syncs the folder. Whatever fails, a file that was there
-/// stays as it was, and the temporary file is removed.
-/// \param write   fills the temporary file; what it returns as an error is the outcome
-/// \param verify  reads the finished temporary file and compares it with what was meant
+/// A file being filled by `commitFile`.
+class FileWriter
+{
+public:
+    virtual ~FileWriter() = default;
+
+    /// Appends bytes. Errors (kind Path) name the file and the cause.
+    virtual Status write(std::span<const std::byte> bytes) = 0;
+    Status write(std::string_view text) { return write(std::as_bytes(std::span(text))); }
+};
+
+/// Replaces a file whole or not at all: fills a temporary file in the same folder, syncs it,
+/// verifies it, renames it, syncs the folder. Whatever fails, a file that was there stays as it
+/// was, and the temporary file is removed. A link is followed: what it points to is replaced.
+/// Errors of the file system are of kind Path and name the file and the cause.
+/// \param write   fills the file; what it returns as an error is the outcome
+/// \param verify  reads the finished file (under its temporary name) and compares it with what was
+///                meant; its errors need not name the file
 Status commitFile(const std::filesystem::path& path,
-                  const std::function<Status(std::ostream&)>& write,
+                  const std::function<Status(FileWriter&)>& write,
                   const std::function<Status(const std::filesystem::path& written)>& verify);
 
 } // namespace trixel
