@@ -3,6 +3,7 @@
 
 #include "core/base/check.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -77,6 +78,29 @@ private:
 };
 
 } // namespace
+
+Result<std::span<const std::byte>>
+ReadAhead::view(const ByteSource& source, std::uint64_t offset, std::size_t count)
+{
+    constexpr std::uint64_t kAheadBytes = std::uint64_t{256} << 10U;
+    const std::uint64_t end = m_begin + m_bytes.size();
+    const bool known = m_source == &source && offset >= m_begin && offset <= end;
+    if (known && count <= end - offset) {
+        return m_bytes.subspan(offset - m_begin, count);
+    }
+    // Only a request that continues the last one promises more of its kind.
+    const std::uint64_t ahead =
+        known ? std::min(kAheadBytes, source.size() - std::min(source.size(), offset)) : 0;
+    auto bytes = source.view(offset, std::max<std::uint64_t>(count, ahead), m_buffer);
+    if (!bytes) {
+        m_source = nullptr;
+        return bytes;
+    }
+    m_source = &source;
+    m_begin = offset;
+    m_bytes = *bytes;
+    return m_bytes.first(count);
+}
 
 std::unique_ptr<ByteSource> memorySource(std::string_view bytes)
 {

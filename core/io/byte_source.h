@@ -28,6 +28,21 @@ public:
     view(std::uint64_t offset, std::size_t count, Buffer& scratch) const = 0;
 };
 
+/// Reads stretch after stretch; where they follow each other, many at a time.
+class ReadAhead
+{
+public:
+    /// As ByteSource::view; valid until the next call.
+    Result<std::span<const std::byte>>
+    view(const ByteSource& source, std::uint64_t offset, std::size_t count);
+
+private:
+    Buffer m_buffer;
+    const ByteSource* m_source = nullptr;
+    std::uint64_t m_begin = 0;
+    std::span<const std::byte> m_bytes;
+};
+
 /// Bytes that lie in memory; `bytes` must outlive the source.
 std::unique_ptr<ByteSource> memorySource(std::string_view bytes);
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/io/buffer.h"
+#include "core/io/byte_source.h"
 #include "core/io/inflate.h"
 #include "core/io/ptx_layout.h"
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -14,10 +16,10 @@ namespace trixel {
 struct PtxDecoder
 {
     Inflater inflater;
-    Buffer zipped;  ///< a block as it lies in the file
-    Buffer planar;  ///< an unzipped block
-    Buffer headers; ///< the table of a tiled block
-    Buffer texels;  ///< a whole face
+    std::array<ReadAhead, kMaxPtxLevels> zipped; ///< blocks as they lie in the file, by level
+    Buffer planar;                               ///< an unzipped block
+    Buffer headers;                              ///< the table of a tiled block
+    Buffer texels;                               ///< a whole face
 };
 
 /// Unpacks the block of one face into its packed square.

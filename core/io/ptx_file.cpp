@@ -12,11 +12,6 @@ namespace trixel {
 
 namespace {
 
-std::string faceName(FaceId face)
-{
-    return "face " + std::to_string(indexOf(face));
-}
-
 // Key of the order in which reductions list the faces, largest first.
 std::size_t orderKey(const PtxFaceInfo& info)
 {
@@ -309,32 +304,43 @@ std::optional<PtxBlock> PtxFile::block(FaceId face, int reduction) const
 Result<std::optional<FaceTexels>>
 PtxFile::texels(FaceId face, int reduction, PtxDecoder& decoder) const
 {
-    const PtxFaceInfo& own = info(face);
-    const Level level = own.level().coarser(reduction);
-    if (own.isConstant()) {
+    const Level level = info(face).level().coarser(reduction);
+    if (info(face).isConstant()) {
         return FaceTexels::constant(level, constantValue(face));
     }
+    return decode(face, reduction, decoder).map([&](bool stored) {
+        const std::size_t size = level.texelCount() * m_format.texelBytes();
+        return stored ? std::optional(FaceTexels::full(
+                            level, m_format.texelBytes(), decoder.texels.first(size)))
+                      : std::nullopt;
+    });
+}
+
+Result<bool> PtxFile::decode(FaceId face, int reduction, PtxDecoder& decoder) const
+{
     const std::optional<PtxBlock> place = block(face, reduction);
     if (!place) {
-        return std::nullopt;
+        return false;
     }
-    const auto bytes = m_source->view(place->offset, place->header.size(), decoder.zipped);
+    const auto bytes = decoder.zipped[static_cast<std::size_t>(reduction)].view(
+        *m_source, place->offset, place->header.size());
     if (!bytes) {
         return tl::unexpected(bytes.error());
     }
+    const Level level = info(face).level().coarser(reduction);
     const std::uint64_t size = std::uint64_t{level.texelCount()} * m_format.texelBytes();
-    const bool fits = size < kMaxPtxFaceBytes;
-    const auto texels = decoder.texels.first(fits ? size : 0);
     const std::string why =
-        fits ? decodePtxBlock(m_format, level, place->header, *bytes, decoder, texels)
-             : "has more texels than a .ptx can hold";
+        size < kMaxPtxFaceBytes
+            ? decodePtxBlock(
+                  m_format, level, place->header, *bytes, decoder, decoder.texels.first(size))
+            : "has more texels than a .ptx can hold";
     if (!why.empty()) {
-        return contentsError(
-            "the block of " + faceName(face) +
-            (reduction > 0 ? ", reduced " + std::to_string(reduction) + " times," : "") +
-            " at byte " + std::to_string(place->offset) + " " + why);
+        const std::string reduced =
+            reduction > 0 ? ", reduced " + std::to_string(reduction) + " times," : std::string();
+        return contentsError("the block of face " + std::to_string(indexOf(face)) + reduced +
+                             " at byte " + std::to_string(place->offset) + " " + why);
     }
-    return FaceTexels::full(level, m_format.texelBytes(), texels);
+    return true;
 }
 
 std::uint64_t PtxFile::texelBytes() const

@@ -58,6 +58,10 @@ public:
     /// otherwise. May be called from several threads, each with its own decoder.
     Result<std::optional<FaceTexels>> texels(FaceId face, int reduction, PtxDecoder& decoder) const;
 
+    /// The same into decoder.texels, whose first 4^n texels are then filled; false if nothing is
+    /// stored there (nor is it for constant faces).
+    Result<bool> decode(FaceId face, int reduction, PtxDecoder& decoder) const;
+
     /// Bytes that all faces' texels take in memory, constant faces as one texel.
     std::uint64_t texelBytes() const;
 

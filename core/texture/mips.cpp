@@ -73,6 +73,20 @@ void reduceFull(const TexelFormat& format,
 
 } // namespace
 
+void reduceTexels(const TexelFormat& format,
+                  Level fine,
+                  std::span<const std::byte> source,
+                  std::span<std::byte> target)
+{
+    check(fine.log2() >= 1, "a level to reduce");
+    check(source.size() == format.texelBytes() * fine.texelCount()
+              && target.size() == format.texelBytes() * fine.coarser().texelCount(),
+          "all texels of both levels");
+    withTexelType(format.type, [&](auto type) {
+        reduceFull<decltype(type)::value>(format, fine, source, target);
+    });
+}
+
 FaceTexels reduced(const TexelFormat& format, const FaceTexels& face)
 {
     check(face.level().log2() >= 1, "a level to reduce");
@@ -82,9 +96,7 @@ FaceTexels reduced(const TexelFormat& format, const FaceTexels& face)
         return face.atLevel(coarse);
     }
     std::vector<std::byte> texels(format.texelBytes() * coarse.texelCount());
-    withTexelType(format.type, [&](auto type) {
-        reduceFull<decltype(type)::value>(format, face.level(), face.bytes(), texels);
-    });
+    reduceTexels(format, face.level(), face.bytes(), texels);
     return FaceTexels::full(coarse, format.texelBytes(), texels);
 }
 

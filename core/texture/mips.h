@@ -11,6 +11,15 @@ namespace trixel {
 /// A constant face stays constant. \param face  level 1 or more (checked)
 FaceTexels reduced(const TexelFormat& format, const FaceTexels& face);
 
+/// The same rule on bare texels.
+/// \param fine    level of `source`, 1 or more (checked)
+/// \param source  4^n texels in packed order (checked)
+/// \param target  4^(n-1) texels (checked), not overlapping the source
+void reduceTexels(const TexelFormat& format,
+                  Level fine,
+                  std::span<const std::byte> source,
+                  std::span<std::byte> target);
+
 /// The face `steps` levels coarser, not below level 0.
 FaceTexels reduced(const TexelFormat& format, const FaceTexels& face, int steps);
 

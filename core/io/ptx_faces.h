@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All faces of a texture packed into blocks, ready to be written.
+#pragma once
+
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/io/ptx_layout.h"
+#include "core/mesh/adjacency.h"
+#include "core/texture/texel_store.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace trixel {
+
+/// Smallest reduction that is stored: 4 by 4 texels.
+inline constexpr int kSmallestPtxReduction = 2;
+
+/// How many reductions of a face that is not constant are stored.
+constexpr int ptxReductions(Level level)
+{
+    return level.log2() > kSmallestPtxReduction ? level.log2() - kSmallestPtxReduction : 0;
+}
+
+/// Blocks one after the other, and their headers.
+struct PtxBlocks
+{
+    std::vector<std::byte> bytes;
+    std::vector<PtxBlockHeader> headers;
+};
+
+/// The blocks of a stretch of faces.
+struct PtxChunk
+{
+    PtxBlocks texels; ///< a header for every face, constant ones included
+    /// [level of the faces][reductions - 1]: of the faces of one level, in the order of their ids.
+    std::array<std::vector<PtxBlocks>, Level::kMax + 1> reductions;
+};
+
+struct PtxFaces
+{
+    std::vector<PtxChunk> chunks; ///< in the order of the faces
+    std::vector<PtxFaceInfo> infos;
+    std::vector<std::byte> constants; ///< one texel a face: its value or its average
+    int levelCount = 1;
+};
+
+/// Packs every face, in parallel; the result does not depend on the number of threads. Errors name
+/// a face that is larger than the format can hold.
+/// \param adjacency  of as many faces as the store has (checked)
+Result<PtxFaces> packPtxFaces(const TexelStore& store,
+                              const Adjacency& adjacency,
+                              bool mips,
+                              Threads threads,
+                              Progress& progress);
+
+} // namespace trixel
