@@ -92,7 +92,7 @@ void ExportDialog::estimate()
                 return;
             }
             m_size->setText(
-                tr("about %1 compressed (%2 of texels)")
+                tr("about %1, mesh included (texels before compression: %2)")
                     .arg(sizeText(estimate->likelyBytes), sizeText(estimate->plainBytes)));
         });
 }

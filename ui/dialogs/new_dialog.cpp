@@ -75,6 +75,7 @@ NewDialog::NewDialog(const QString& meshPath, QWidget* parent)
     m_create->setAccessibleName(tr("Create"));
     m_create->setDefault(true);
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Start nothing"));
+    buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &NewDialog::finish);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -18,7 +18,7 @@ class BrushColors : public QObject
     Q_OBJECT
 
 public:
-    static constexpr std::size_t kRecentMax = 12;
+    static constexpr std::size_t kRecentMax = 11;
 
     explicit BrushColors(ViewSettings& settings, QObject* parent = nullptr);
 

@@ -86,9 +86,11 @@ QWidget* BrushPanel::makeColors()
     auto* recentLabel = new QLabel(tr("Recent"));
     recentLabel->setToolTip(tr("Colours used before, the latest first"));
     m_recent = new SwatchRow(kSwatchesPerRow, tr("Recent colour"));
-    m_recent->setMinimumHeight(18);
-    grid->addWidget(recentLabel, 2, 0);
-    grid->addWidget(m_recent, 3, 0);
+    auto* recent = new QHBoxLayout;
+    recent->setSpacing(6);
+    recent->addWidget(recentLabel);
+    recent->addWidget(m_recent, 1);
+    grid->addLayout(recent, 2, 0);
 
     connect(m_front, &SwatchButton::clicked, this, &BrushPanel::chooseColor);
     connect(m_back, &SwatchButton::clicked, &m_colors, &BrushColors::swap);

@@ -83,9 +83,9 @@ BackgroundJobs::~BackgroundJobs()
     }
 }
 
-tl::unexpected<Error> BackgroundJobs::outOfMemory()
+tl::unexpected<Error> BackgroundJobs::missing(bool wasCancelled)
 {
-    return contentsError("There is not enough memory for this.");
+    return wasCancelled ? cancelled() : contentsError("There is not enough memory for this.");
 }
 
 BackgroundJob& BackgroundJobs::add(const QString& title,

@@ -68,7 +68,7 @@ public:
             outcome->emplace(work(progress));
         };
         const auto deliver = [outcome, done = std::move(done)](bool wasCancelled) mutable {
-            Outcome result = *outcome ? std::move(**outcome) : Outcome(outOfMemory());
+            Outcome result = *outcome ? std::move(**outcome) : Outcome(missing(wasCancelled));
             if constexpr (!std::is_void_v<typename Outcome::value_type>) {
                 if (wasCancelled) {
                     result = cancelled();
@@ -89,7 +89,8 @@ signals:
     void ended(trixel::ui::BackgroundJob* job);
 
 private:
-    static tl::unexpected<Error> outOfMemory();
+    /// Why work left no outcome: it was cancelled before it began, or memory ran out.
+    static tl::unexpected<Error> missing(bool wasCancelled);
     BackgroundJob& add(const QString& title,
                        std::function<void(Progress&)> work,
                        std::function<void(bool cancelled)> deliver);

@@ -198,6 +198,7 @@ void MainWindow::makeStatusBar()
     m_hint->setToolTip(tr("What the chosen tool does"));
     // A narrow window cuts the hint off instead of widening.
     m_hint->setMinimumWidth(1);
+    m_hint->setContentsMargins(6, 0, 0, 0);
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(m_hint, 1);
     statusBar()->addPermanentWidget(new JobBar(m_jobs));

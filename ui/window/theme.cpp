@@ -5,8 +5,9 @@
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
-#include <QStyleFactory>
 #include <QToolTip>
+
+#include "ui/window/style.h"
 
 #include <array>
 #include <utility>
@@ -143,7 +144,7 @@ void applyTheme(Theme theme)
     // Asked even when not needed: later the palette at start is no longer to be seen.
     const bool systemDark = systemIsDark();
     const bool dark = theme == Theme::Dark || (theme == Theme::System && systemDark);
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new Style); // the application owns it
     const QPalette palette = dark ? darkPalette() : lightPalette();
     QApplication::setPalette(palette);
     QToolTip::setPalette(palette);

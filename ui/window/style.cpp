@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/style.h"
+
+#include <QPainter>
+#include <QStyleOption>
+
+namespace trixel::ui {
+
+namespace {
+
+/// Between a background and what is written on it.
+QColor halfway(const QColor& a, const QColor& b)
+{
+    return {(a.red() + b.red()) / 2, (a.green() + b.green()) / 2, (a.blue() + b.blue()) / 2};
+}
+
+} // namespace
+
+Style::Style()
+    : QProxyStyle("Fusion")
+{
+}
+
+void Style::drawPrimitive(PrimitiveElement element,
+                          const QStyleOption* option,
+                          QPainter* painter,
+                          const QWidget* widget) const
+{
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_IndicatorCheckBox) {
+        const QPalette& palette = option->palette;
+        const bool focused = (option->state & State_HasFocus) != 0;
+        painter->save();
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(focused ? palette.color(QPalette::Highlight)
+                                : halfway(palette.color(QPalette::Window),
+                                          palette.color(QPalette::WindowText)));
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+}
+
+void Style::drawControl(ControlElement element,
+                        const QStyleOption* option,
+                        QPainter* painter,
+                        const QWidget* widget) const
+{
+    if (element == CE_ToolBar) {
+        painter->fillRect(option->rect, option->palette.window());
+        return;
+    }
+    QProxyStyle::drawControl(element, option, painter, widget);
+}
+
+int Style::styleHint(StyleHint hint,
+                     const QStyleOption* option,
+                     const QWidget* widget,
+                     QStyleHintReturn* answer) const
+{
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons
+               ? 0
+               : QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+} // namespace trixel::ui
