@@ -16,11 +16,13 @@ Result<TriangleMesh> parse(MeshFormat format, std::string_view bytes, Progress& 
     case MeshFormat::Obj:
         return parseObj(bytes, progress);
     case MeshFormat::Ply:
+        return parsePly(bytes, progress);
     case MeshFormat::Stl:
+        return parseStl(bytes, progress);
     case MeshFormat::Off:
-        break;
+        return parseOff(bytes, progress);
     }
-    return contentsError("no reader for this format yet");
+    return contentsError("expected a mesh format");
 }
 
 } // namespace

@@ -118,7 +118,7 @@ std::vector<FaceId> findDuplicates(const TriangleMesh& mesh, const Adjacency& ad
 {
     std::vector<std::pair<Triangle, FaceId>> candidates;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        if (mayBeDuplicate(mesh, adjacency, f)) {
+        if (!repeatsVertex(mesh.triangles[f]) && mayBeDuplicate(mesh, adjacency, f)) {
             candidates.emplace_back(sortedTriangle(mesh.triangles[f]), faceId(f));
         }
     }

@@ -23,7 +23,7 @@ struct MeshReport
 
     std::vector<Edge> nonManifoldEdges;       ///< once per face of the edge
     std::vector<FaceId> degenerateFaces;      ///< no area in float positions, or a repeated vertex
-    std::vector<FaceId> duplicateFaces;       ///< same three vertices as an earlier face
+    std::vector<FaceId> duplicateFaces;       ///< same three distinct vertices as an earlier face
     std::vector<FaceId> flippedFaces;         ///< wound against most faces of their component
     std::vector<FaceId> isolatedFaces;        ///< all three edges are borders
     std::vector<FaceId> halfEdgeRefusedFaces; ///< not representable in the half-edge structure

@@ -17,4 +17,17 @@ namespace trixel {
 /// A fourth number of a vertex (its weight) and colours are skipped.
 Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress);
 
+/// PLY 1.0, ascii or binary of either byte order. Needs an element "vertex" with x, y and z of any
+/// type and an element "face" with a list "vertex_indices" or "vertex_index"; other elements and
+/// properties are skipped. In ascii each row of an element is one line.
+Result<TriangleMesh> parsePly(std::string_view bytes, Progress& progress);
+
+/// STL, ascii or binary; binary where the size fits the count of facets, whatever the header says.
+/// Corners of equal position become one vertex. Normals are not read. An ascii file may hold
+/// several solids.
+Result<TriangleMesh> parseStl(std::string_view bytes, Progress& progress);
+
+/// OFF, COFF, NOFF, STOFF and their combinations, ascii or binary; one line a vertex or face.
+Result<TriangleMesh> parseOff(std::string_view bytes, Progress& progress);
+
 } // namespace trixel

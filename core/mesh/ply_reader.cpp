@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/ply_header.h"
+#include "core/mesh/ply_source.h"
+#include "core/mesh/polygon_cutter.h"
+#include "core/mesh/readers.h"
+#include "core/mesh/row_progress.h"
+
+#include <algorithm>
+#include <array>
+
+namespace trixel {
+namespace {
+
+constexpr std::size_t kMaxVertices = std::size_t{1} << 31U;
+
+tl::unexpected<Error>
+expectedInHeader(std::size_t line, const std::string& what, const std::string& found)
+{
+    return contentsError("line " + std::to_string(line) + ": expected " + what + ", found " +
+                         found);
+}
+
+// Where a mesh's data are among the elements of a header.
+struct MeshLayout
+{
+    const PlyElement* vertices = nullptr;
+    std::array<std::size_t, 3> coordinates{}; // which properties are x, y, z
+    const PlyElement* faces = nullptr;
+    std::size_t corners = 0; // which property lists a face's vertices
+};
+
+const PlyElement* findElement(const PlyHeader& header, std::string_view name)
+{
+    const auto at = std::find_if(header.elements.begin(),
+                                 header.elements.end(),
+                                 [&](const PlyElement& element) { return element.name == name; });
+    return at == header.elements.end() ? nullptr : &*at;
+}
+
+// The only property of one of these names.
+Result<std::size_t> findProperty(const PlyElement& element,
+                                 std::initializer_list<std::string_view> names)
+{
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (std::find(names.begin(), names.end(), property.name) == names.end()) {
+            continue;
+        }
+        if (found) {
+            return expectedInHeader(
+                property.line, "property " + quoted(property.name) + " once", "it again");
+        }
+        found = i;
+    }
+    if (!found) {
+        return expectedInHeader(element.line,
+                                "element " + quoted(element.name) + " with a property " +
+                                    quoted(*names.begin()),
+                                "none");
+    }
+    return *found;
+}
+
+Status layOutVertices(const PlyElement& element, MeshLayout& layout)
+{
+    layout.vertices = &element;
+    constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto at = findProperty(element, {kNames[axis]});
+        if (!at) {
+            return tl::unexpected(at.error());
+        }
+        const PlyProperty& property = element.properties[*at];
+        if (property.isList()) {
+            return expectedInHeader(property.line, "a single number", "a list");
+        }
+        layout.coordinates[axis] = *at;
+    }
+    if (element.rows >= kMaxVertices) {
+        return expectedInHeader(
+            element.line, "fewer than 2^31 vertices", std::to_string(element.rows));
+    }
+    return {};
+}
+
+Status layOutFaces(const PlyElement& element, MeshLayout& layout)
+{
+    layout.faces = &element;
+    const auto at = findProperty(element, {"vertex_indices", "vertex_index"});
+    if (!at) {
+        return tl::unexpected(at.error());
+    }
+    const PlyProperty& property = element.properties[*at];
+    if (!property.isList() || !isInteger(property.type)) {
+        return expectedInHeader(property.line, "a list of integers", "another type");
+    }
+    layout.corners = *at;
+    return {};
+}
+
+Result<MeshLayout> layOut(const PlyHeader& header)
+{
+    MeshLayout layout;
+    for (const std::string_view name : {"vertex", "face"}) {
+        const PlyElement* const element = findElement(header, name);
+        if (element == nullptr) {
+            return expectedInHeader(
+                header.dataLine - 1, "an element " + quoted(name) + " in the header", "none");
+        }
+        const Status status =
+            name == "vertex" ? layOutVertices(*element, layout) : layOutFaces(*element, layout);
+        if (!status) {
+            return tl::unexpected(status.error());
+        }
+    }
+    return layout;
+}
+
+template <class Source>
+class PlyBodyReader
+{
+public:
+    PlyBodyReader(const PlyHeader& header,
+                  const MeshLayout& layout,
+                  Source source,
+                  Progress& progress)
+        : m_header(header)
+        , m_layout(layout)
+        , m_source(std::move(source))
+        , m_room(m_source.room())
+        , m_progress(progress, m_room + 1)
+    {
+    }
+
+    Result<TriangleMesh> read()
+    {
+        for (const PlyElement& element : m_header.elements) {
+            if (auto status = checkRows(element); !status) {
+                return tl::unexpected(status.error());
+            }
+        }
+        for (const PlyElement& element : m_header.elements) {
+            if (auto status = readElement(element); !status) {
+                return tl::unexpected(status.error());
+            }
+        }
+        if (auto status = m_source.expectEnd(); !status) {
+            return tl::unexpected(status.error());
+        }
+        return cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+    }
+
+private:
+    // As many rows as the header says must fit the file, before memory is taken for them.
+    Status checkRows(const PlyElement& element) const
+    {
+        std::size_t rowBytes = 0;
+        for (const PlyProperty& property : element.properties) {
+            rowBytes += Source::leastBytes(property);
+        }
+        if (&element == m_layout.faces) {
+            rowBytes += 3 * Source::leastBytes(element.properties[m_layout.corners].type);
+        }
+        if (rowBytes > 0 && element.rows > m_room / rowBytes) {
+            return expectedInHeader(element.line,
+                                    "at most " + std::to_string(m_room / rowBytes) + " elements " +
+                                        quoted(element.name) + " in the data that follow",
+                                    std::to_string(element.rows));
+        }
+        return {};
+    }
+
+    Status readElement(const PlyElement& element)
+    {
+        if (element.properties.empty()) {
+            return {}; // nothing in the file, however many rows
+        }
+        if (&element == m_layout.vertices) {
+            m_positions.reserve(element.rows);
+        } else if (&element == m_layout.faces) {
+            m_polygons.reserve(3 * element.rows);
+        }
+        for (std::size_t row = 0; row < element.rows; ++row) {
+            if (!m_progress.goesOn(m_room - m_source.room())) {
+                return cancelled();
+            }
+            m_source.beginRow();
+            if (auto status = readRow(element); !status) {
+                return status;
+            }
+            if (auto status = m_source.endRow(); !status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+    Status readRow(const PlyElement& element)
+    {
+        if (&element == m_layout.vertices) {
+            return readVertex(element);
+        }
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const bool isFace = &element == m_layout.faces && i == m_layout.corners;
+            auto status =
+                isFace ? readFace(element.properties[i]) : skipProperty(element.properties[i]);
+            if (!status) {
+                return status;
+            }
+        }
+        return {};
+    }
+
+    Status readVertex(const PlyElement& element)
+    {
+        glm::vec3 position(0);
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const auto axis =
+                std::find(m_layout.coordinates.begin(), m_layout.coordinates.end(), i);
+            if (axis == m_layout.coordinates.end()) {
+                if (auto status = skipProperty(element.properties[i]); !status) {
+                    return status;
+                }
+                continue;
+            }
+            const auto value = m_source.coordinate(element.properties[i].type);
+            if (!value) {
+                return m_source.expected("a finite number that fits a float");
+            }
+            position[static_cast<int>(axis - m_layout.coordinates.begin())] = *value;
+        }
+        m_positions.push_back(position);
+        return {};
+    }
+
+    Status readFace(const PlyProperty& property)
+    {
+        const auto corners = m_source.integer(*property.listLengthType);
+        if (!corners || *corners < 3) {
+            return m_source.expected("a face of at least 3 corners");
+        }
+        if (static_cast<std::size_t>(*corners) >
+            m_source.room() / Source::leastBytes(property.type)) {
+            return m_source.expected("a number of corners that fits the rest of the file");
+        }
+        const auto vertices = static_cast<std::int64_t>(m_layout.vertices->rows);
+        for (std::int64_t i = 0; i < *corners; ++i) {
+            const auto vertex = m_source.integer(property.type);
+            if (!vertex || *vertex < 0 || *vertex >= vertices) {
+                return m_source.expected("a vertex number below " + std::to_string(vertices));
+            }
+            m_polygons.addCorner(static_cast<std::uint32_t>(*vertex));
+        }
+        m_polygons.closePolygon(static_cast<std::size_t>(*corners));
+        return {};
+    }
+
+    Status skipProperty(const PlyProperty& property)
+    {
+        std::int64_t count = 1;
+        if (property.isList()) {
+            const auto length = m_source.integer(*property.listLengthType);
+            if (!length || *length < 0) {
+                return m_source.expected("the length of list " + quoted(property.name));
+            }
+            count = *length;
+        }
+        if (!m_source.skip(property.type, static_cast<std::size_t>(count))) {
+            return m_source.expected(property.isList()
+                                         ? std::to_string(count) + " values of list " +
+                                               quoted(property.name)
+                                         : "a value of " + quoted(property.name));
+        }
+        return {};
+    }
+
+    const PlyHeader& m_header;
+    const MeshLayout& m_layout;
+    Source m_source;
+    std::size_t m_room;
+    RowProgress m_progress;
+    std::vector<glm::vec3> m_positions;
+    PolygonList m_polygons;
+};
+
+} // namespace
+
+Result<TriangleMesh> parsePly(std::string_view bytes, Progress& progress)
+{
+    const auto header = parsePlyHeader(bytes);
+    if (!header) {
+        return tl::unexpected(header.error());
+    }
+    const auto layout = layOut(*header);
+    if (!layout) {
+        return tl::unexpected(layout.error());
+    }
+    if (header->encoding == PlyEncoding::Ascii) {
+        return PlyBodyReader(
+                   *header, *layout, PlyTextSource(header->data, header->dataLine), progress)
+            .read();
+    }
+    const std::endian order =
+        header->encoding == PlyEncoding::LittleEndian ? std::endian::little : std::endian::big;
+    const std::size_t offset = bytes.size() - header->data.size();
+    return PlyBodyReader(*header, *layout, PlyBinarySource(header->data, order, offset), progress)
+        .read();
+}
+
+} // namespace trixel
