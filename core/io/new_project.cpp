@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/new_project.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -66,6 +67,11 @@ Result<Project> newProject(TriangleMesh mesh,
     project.texels = constantFaces(plan, format, encoded(format, fill));
     project.metadata.push_back({kFillKey, std::vector<float>(fill.begin(), fill.end())});
     return project;
+}
+
+std::uint64_t defaultTexelTotal(std::size_t faceCount)
+{
+    return std::max<std::uint64_t>(4'000'000, std::uint64_t{16} * faceCount);
 }
 
 std::vector<std::byte> fillOf(const Project& project)

@@ -10,6 +10,7 @@
 #include "core/texture/level_plan.h"
 #include "core/texture/texel_format.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ Result<Project> newProject(TriangleMesh mesh,
                            const TexelFormat& format,
                            std::span<const float> fill,
                            Progress& progress);
+
+/// Texels in all for a mesh whose user asked for nothing: four million, more where the mesh has so
+/// many faces that this would leave fewer than sixteen a face.
+std::uint64_t defaultTexelTotal(std::size_t faceCount);
 
 /// The bytes of one texel of the colour the project began with: as its metadata say, else as its
 /// first constant face, else 1 in every channel.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/arguments.h"
+#include "app/cli/file_kind.h"
+#include "app/cli/verb.h"
+#include "core/io/new_project.h"
+#include "core/mesh/mesh_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace trixel::app {
+namespace {
+
+struct Arguments
+{
+    std::string mesh;
+    std::string output;
+    std::optional<std::string> level;
+    std::optional<std::string> density;
+    std::optional<std::string> texels;
+    std::string type = "uint8";
+    std::string channels = "3";
+    std::string fill = "0.8";
+};
+
+struct Texture
+{
+    TexelFormat format;
+    std::vector<float> fill;
+};
+
+Result<Texture> textureOf(const Arguments& arguments)
+{
+    const auto type = texelType("--type", arguments.type);
+    if (!type) {
+        return tl::unexpected(type.error());
+    }
+    const auto channels =
+        wholeNumber("--channels", arguments.channels, 1, TexelFormat::kMaxChannels);
+    if (!channels) {
+        return tl::unexpected(channels.error());
+    }
+    auto fill = channelValues("--fill", arguments.fill, static_cast<int>(*channels));
+    if (!fill) {
+        return tl::unexpected(fill.error());
+    }
+    return Texture{TexelFormat{*type, static_cast<std::uint16_t>(*channels), std::nullopt},
+                   std::move(*fill)};
+}
+
+Result<LevelPlan> planOf(const Arguments& arguments, const TriangleMesh& mesh)
+{
+    if (arguments.density) {
+        return positiveNumber("--density", *arguments.density).and_then([&](double density) {
+            return planByDensity(mesh, density);
+        });
+    }
+    if (arguments.texels) {
+        return wholeNumber(
+                   "--texels", *arguments.texels, 1, std::numeric_limits<std::int64_t>::max())
+            .and_then([&](std::int64_t total) {
+                return planByTotal(mesh, static_cast<std::uint64_t>(total));
+            });
+    }
+    if (arguments.level) {
+        return level("--level", *arguments.level).map([&](Level each) {
+            return planUniform(mesh.faceCount(), each);
+        });
+    }
+    return planByTotal(mesh, defaultTexelTotal(mesh.faceCount()));
+}
+
+/// Refuses arguments before the mesh is read, which may take long.
+Status checkArguments(const Arguments& arguments)
+{
+    if (const Status ending = expectEnding(arguments.mesh, FileKind::Mesh); !ending) {
+        return ending;
+    }
+    if (const Status ending = expectEnding(arguments.output, FileKind::Project); !ending) {
+        return ending;
+    }
+    // No mesh has no faces: what remains to fail is the value itself.
+    const auto plan = !arguments.texels ? planOf(arguments, {}) : Result<LevelPlan>{};
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    return {};
+}
+
+Result<Outcome> makeNew(const Arguments& arguments, Progress& progress)
+{
+    if (const Status usable = checkArguments(arguments); !usable) {
+        return tl::unexpected(usable.error());
+    }
+    const auto texture = textureOf(arguments);
+    if (!texture) {
+        return tl::unexpected(texture.error());
+    }
+    StageProgress reading(progress, 0, 0.4);
+    auto mesh = readMesh(arguments.mesh, reading);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    const auto plan = planOf(arguments, *mesh);
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    StageProgress building(progress, 0.4, 0.7);
+    const auto project =
+        newProject(std::move(*mesh), *plan, texture->format, texture->fill, building);
+    if (!project) {
+        return tl::unexpected(project.error());
+    }
+    StageProgress saving(progress, 0.7, 1);
+    return saveProject(arguments.output, *project, saving).map([] { return Outcome::Done; });
+}
+
+} // namespace
+
+void addNew(CLI::App& parser, Work& chosen)
+{
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* verb = parser.add_subcommand("new", "Make a project from a mesh");
+    verb->add_option("MESH", arguments->mesh, "Mesh: .obj, .ply, .stl or .off")->required();
+    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")->required();
+    CLI::Option_group* size =
+        verb->add_option_group("Texels, by one of these; else about four million in all");
+    size->add_option("--level", arguments->level, "4^N texels for every face, N from 0 to 12");
+    size->add_option("--density", arguments->density, "Texels along one world unit");
+    size->add_option("--texels", arguments->texels, "Texels in all, at most");
+    size->require_option(0, 1);
+    verb->add_option("--type", arguments->type, "uint8, uint16, half or float")
+        ->capture_default_str();
+    verb->add_option("--channels", arguments->channels, "Channels of a texel, 1 to 1024")
+        ->capture_default_str();
+    verb->add_option("--fill", arguments->fill, "Colour to start with: one value a channel, or one")
+        ->capture_default_str();
+    verb->callback([arguments, &chosen] {
+        chosen = [arguments](Progress& progress) { return makeNew(*arguments, progress); };
+    });
+}
+
+} // namespace trixel::app
