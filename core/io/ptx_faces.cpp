@@ -5,10 +5,11 @@
 #include "core/io/ptx_average.h"
 #include "core/io/ptx_encode.h"
 #include "core/io/ptx_neighbourhood.h"
-#include "core/io/shared_progress.h"
+#include "core/mesh/shared_progress.h"
 #include "core/texture/mips.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <mutex>
 #include <string>
@@ -183,7 +184,7 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
     faces.infos.resize(store.faceCount());
     faces.constants.resize(store.faceCount() * texelBytes);
 
-    SharedProgress shared(progress, store.faceCount());
+    SharedProgress shared(progress, faces.chunks.size());
     std::mutex mutex;
     std::size_t tooLarge = store.faceCount();
     const auto packChunk = [&](std::size_t k, ChunkPacker& packer) {
@@ -200,14 +201,14 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
             }
         }
         faces.chunks[k] = packer.take();
-        shared.advance(begins[k + 1] - begins[k]);
+        shared.step();
     };
     // One long range a thread, so that each keeps its packer; chunks are dealt out by a counter.
     std::atomic<std::size_t> next{0};
     const std::size_t workers = std::min<std::size_t>(threads.count, faces.chunks.size());
     parallelFor(workers, 1, threads, [&](std::size_t, std::size_t) {
         ChunkPacker packer(store.format(), mips);
-        for (std::size_t k = next++; k < faces.chunks.size() && !shared.isStopped(); k = next++) {
+        for (std::size_t k = next++; k < faces.chunks.size() && shared.goesOn(); k = next++) {
             packChunk(k, packer);
         }
     });
@@ -215,7 +216,7 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
         return contentsError("the texels of face " + std::to_string(tooLarge) +
                              " take more bytes than a .ptx can hold in one face");
     }
-    if (shared.isStopped()) {
+    if (!shared.goesOn()) {
         return cancelled();
     }
     faces.levelCount = levelCountOf(faces.infos, mips);

@@ -46,6 +46,8 @@ public:
 
     /// Edits folded in.
     const PtxFaceInfo& info(FaceId face) const;
+    std::span<const PtxFaceInfo> infos() const { return m_infos; }
+    std::span<const std::byte> constantValues() const { return m_constantValues; }
     /// The value of a constant face, else the average; one texel as stored, edits folded in.
     std::span<const std::byte> constantValue(FaceId face) const;
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxFacesOfVertex = 64;
 
-enum class WalkEnd { CameRound, Border, Different };
+enum class WalkEnd { CameRound, Border, Different, TooLong };
 
 struct Neighbourhood
 {
@@ -46,27 +46,49 @@ struct Neighbourhood
                 return WalkEnd::Different;
             }
         }
-        return WalkEnd::Different;
+        return WalkEnd::TooLong;
     }
 
-    bool isConstantAround(std::size_t face, std::size_t vertex) const
+    // Of the faces around one vertex.
+    PtxNeighbourhood around(std::size_t face, std::size_t vertex) const
     {
-        const WalkEnd end = walk(face, vertex, 1);
-        return end == WalkEnd::CameRound ||
-               (end == WalkEnd::Border && walk(face, (vertex + 2) % 3, 2) != WalkEnd::Different);
+        WalkEnd end = walk(face, vertex, 1);
+        if (end == WalkEnd::Border) {
+            end = walk(face, (vertex + 2) % 3, 2);
+        }
+        switch (end) {
+        case WalkEnd::CameRound:
+        case WalkEnd::Border:
+            return PtxNeighbourhood::Constant;
+        case WalkEnd::TooLong:
+            return PtxNeighbourhood::TooLarge;
+        case WalkEnd::Different:
+            break;
+        }
+        return PtxNeighbourhood::Different;
     }
 };
 
 } // namespace
 
-bool hasConstantNeighbourhood(std::span<const PtxFaceInfo> infos,
-                              std::span<const std::byte> constants,
-                              std::size_t texelBytes,
-                              std::size_t face)
+PtxNeighbourhood neighbourhoodOf(std::span<const PtxFaceInfo> infos,
+                                 std::span<const std::byte> constants,
+                                 std::size_t texelBytes,
+                                 std::size_t face)
 {
+    if (!infos[face].isConstant()) {
+        return PtxNeighbourhood::Different;
+    }
     const Neighbourhood all{infos, constants, texelBytes};
-    return infos[face].isConstant() && all.isConstantAround(face, 0) &&
-           all.isConstantAround(face, 1) && all.isConstantAround(face, 2);
+    PtxNeighbourhood worst = PtxNeighbourhood::Constant;
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+        const PtxNeighbourhood found = all.around(face, vertex);
+        if (found == PtxNeighbourhood::Different) {
+            return found;
+        }
+        worst = found == PtxNeighbourhood::Constant ? worst : found;
+    }
+    return worst;
 }
 
 void flagConstantNeighbourhoods(std::span<PtxFaceInfo> infos,
@@ -80,7 +102,8 @@ void flagConstantNeighbourhoods(std::span<PtxFaceInfo> infos,
     std::vector<std::uint8_t> flagged(infos.size());
     parallelFor(infos.size(), 16384, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t face = begin; face < end; ++face) {
-            flagged[face] = hasConstantNeighbourhood(infos, constants, texelBytes, face) ? 1 : 0;
+            const PtxNeighbourhood found = neighbourhoodOf(infos, constants, texelBytes, face);
+            flagged[face] = found == PtxNeighbourhood::Constant ? 1 : 0;
         }
     });
     for (std::size_t face = 0; face < infos.size(); ++face) {

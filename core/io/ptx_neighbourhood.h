@@ -18,10 +18,13 @@ void flagConstantNeighbourhoods(std::span<PtxFaceInfo> infos,
                                 std::size_t texelBytes,
                                 Threads threads);
 
-/// Whether that flag may be set for the face.
-bool hasConstantNeighbourhood(std::span<const PtxFaceInfo> infos,
-                              std::span<const std::byte> constants,
-                              std::size_t texelBytes,
-                              std::size_t face);
+enum class PtxNeighbourhood { Constant, Different, TooLarge };
+
+/// What lies around the three vertices of a constant face: only the face's own value, something
+/// else (as for any face that is not constant), or too many faces to tell.
+PtxNeighbourhood neighbourhoodOf(std::span<const PtxFaceInfo> infos,
+                                 std::span<const std::byte> constants,
+                                 std::size_t texelBytes,
+                                 std::size_t face);
 
 } // namespace trixel

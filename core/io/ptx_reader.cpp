@@ -119,13 +119,36 @@ Adjacency adjacencyOf(const PtxFile& file)
     return adjacency;
 }
 
-Result<PtxContents> readContents(const PtxFile& file, MemoryBudget& budget, Progress& progress)
+Result<TexelStore> readTexels(const PtxFile& file, MemoryBudget& budget, Progress& progress)
 {
-    PtxContents contents;
     Status status = budget.take(file.texelBytes() + kFaceBytes * file.faceCount(), "the texels");
     if (!status) {
         return tl::unexpected(status.error());
     }
+    const std::vector<std::byte> zero(file.format().texelBytes());
+    TexelStore store(file.faceCount(), file.format(), Level(), zero);
+    FaceTexels previous = store.face(FaceId{});
+    const auto keep = [&](FaceId first, std::span<std::optional<FaceTexels>> faces) {
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            FaceTexels texels = faces[k]->collapsed();
+            if (texels.isConstant() && previous.isConstant() && texels == previous) {
+                texels = previous;
+            } else {
+                previous = texels;
+            }
+            store.exchange(faceId(indexOf(first) + k), std::move(texels));
+        }
+    };
+    status = decodePtxFaces(file, 0, Threads::all(), progress, keep);
+    if (!status) {
+        return tl::unexpected(status.error());
+    }
+    return store;
+}
+
+Result<PtxContents> readContents(const PtxFile& file, MemoryBudget& budget, Progress& progress)
+{
+    PtxContents contents;
     auto metadata = file.metadata(budget);
     if (!metadata) {
         return tl::unexpected(metadata.error());
@@ -133,26 +156,11 @@ Result<PtxContents> readContents(const PtxFile& file, MemoryBudget& budget, Prog
     contents.metadata = std::move(*metadata);
     contents.hasMips = file.levelCount() > 1;
     contents.adjacency = adjacencyOf(file);
-
-    const std::vector<std::byte> zero(file.format().texelBytes());
-    contents.texels = TexelStore(file.faceCount(), file.format(), Level(), zero);
-    FaceTexels previous = contents.texels.face(FaceId{});
-    const auto keep = [&](FaceId first, std::span<std::optional<FaceTexels>> faces) {
-        for (std::size_t k = 0; k < faces.size(); ++k) {
-            FaceTexels texels = faces[k]->collapsed();
-            // Equal constant faces in a row share their value, as in a store nobody painted.
-            if (texels.isConstant() && previous.isConstant() && texels == previous) {
-                texels = previous;
-            } else {
-                previous = texels;
-            }
-            contents.texels.exchange(faceId(indexOf(first) + k), std::move(texels));
-        }
-    };
-    status = decodePtxFaces(file, 0, Threads::all(), progress, keep);
-    if (!status) {
-        return tl::unexpected(status.error());
+    auto texels = readTexels(file, budget, progress);
+    if (!texels) {
+        return tl::unexpected(texels.error());
     }
+    contents.texels = std::move(*texels);
     return contents;
 }
 
@@ -163,16 +171,27 @@ Result<PtxContents> parsePtx(std::string_view bytes, Progress& progress)
     return file ? readContents(*file, budget, progress) : tl::unexpected(file.error());
 }
 
-Result<PtxContents> readPtx(const std::filesystem::path& path, Progress& progress)
+Result<PtxFile> openPtxFile(const std::filesystem::path& path, MemoryBudget& budget)
 {
     auto source = fileSource(path);
     if (!source) {
         return tl::unexpected(source.error());
     }
-    MemoryBudget budget;
     auto file = PtxFile::open(std::move(*source), budget);
-    auto contents = file ? readContents(*file, budget, progress)
-                         : Result<PtxContents>(tl::unexpected(file.error()));
+    if (!file && file.error().kind == ErrorKind::Contents) {
+        return prefixed(path.string(), file.error());
+    }
+    return file;
+}
+
+Result<PtxContents> readPtx(const std::filesystem::path& path, Progress& progress)
+{
+    MemoryBudget budget;
+    const auto file = openPtxFile(path, budget);
+    if (!file) {
+        return tl::unexpected(file.error());
+    }
+    auto contents = readContents(*file, budget, progress);
     if (!contents && contents.error().kind == ErrorKind::Contents) {
         return prefixed(path.string(), contents.error());
     }

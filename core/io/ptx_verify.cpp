@@ -5,7 +5,7 @@
 #include "core/io/ptx_faces.h"
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_metadata.h"
-#include "core/io/shared_progress.h"
+#include "core/mesh/shared_progress.h"
 #include "core/texture/mips.h"
 
 #include <algorithm>
@@ -146,14 +146,14 @@ verifyFaces(const PtxFile& file, const TexelStore& meant, Threads threads, Progr
     // Few large faces are dealt out one by one.
     const std::size_t grain =
         std::clamp<std::size_t>(count / (std::size_t{16} * threads.count), 1, kGrainFaces);
-    SharedProgress shared(progress, count);
+    SharedProgress shared(progress, (count + grain - 1) / grain);
     std::mutex mutex;
     std::size_t firstFace = count;
     std::string firstWhy;
     std::atomic<std::size_t> next{0};
     parallelFor(threads.count, 1, threads, [&](std::size_t, std::size_t) {
         FaceVerifier verifier(file, meant);
-        for (std::size_t begin = next.fetch_add(grain); begin < count && !shared.isStopped();
+        for (std::size_t begin = next.fetch_add(grain); begin < count && shared.goesOn();
              begin = next.fetch_add(grain)) {
             const std::size_t end = std::min(begin + grain, count);
             for (std::size_t k = begin; k < end; ++k) {
@@ -167,13 +167,13 @@ verifyFaces(const PtxFile& file, const TexelStore& meant, Threads threads, Progr
                     break;
                 }
             }
-            shared.advance(end - begin);
+            shared.step();
         }
     });
     if (firstFace < count) {
         return contentsError("face " + std::to_string(firstFace) + ": " + firstWhy);
     }
-    return shared.isStopped() ? Status(cancelled()) : Status();
+    return shared.goesOn() ? Status() : Status(cancelled());
 }
 
 } // namespace

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A .trixel project is a .ptx whose metadata hold the mesh and the project's version, until the
+// project file proper takes its place behind this interface.
+#include "core/io/project.h"
+
+#include "core/io/project_metadata.h"
+#include "core/io/ptx_file.h"
+#include "core/io/ptx_mesh_match.h"
+#include "core/io/ptx_metadata.h"
+#include "core/io/ptx_reader.h"
+
+#include <string>
+
+namespace trixel {
+
+namespace {
+
+// A file that was opened but not yet read, with its metadata.
+struct OpenedFile
+{
+    MemoryBudget budget;
+    PtxFile file;
+    std::vector<PtxMetadata> metadata;
+};
+
+tl::unexpected<Error> inFile(const std::filesystem::path& path, const Error& error)
+{
+    return error.kind == ErrorKind::Contents ? prefixed(path.string(), error)
+                                             : tl::unexpected(error);
+}
+
+Result<OpenedFile> openFile(const std::filesystem::path& path)
+{
+    MemoryBudget budget;
+    auto file = openPtxFile(path, budget);
+    if (!file) {
+        return tl::unexpected(file.error());
+    }
+    auto metadata = file->metadata(budget);
+    if (!metadata) {
+        return inFile(path, metadata.error());
+    }
+    return OpenedFile{budget, std::move(*file), std::move(*metadata)};
+}
+
+Status compareWithMesh(const PtxFile& file, const Surface& surface)
+{
+    std::string difference;
+    matchPtxWithMesh(file.infos(),
+                     surface.adjacency(),
+                     surface.report().nonManifoldEdges,
+                     [&](std::string sentence) {
+                         difference = std::move(sentence);
+                         return false;
+                     });
+    return difference.empty() ? Status() : contentsError("does not fit the mesh: " + difference);
+}
+
+// Puts the texture onto the mesh; errors do not name the file.
+Result<Project> assemble(OpenedFile opened, TriangleMesh mesh, Progress& progress)
+{
+    StageProgress building(progress, 0, 0.4);
+    auto surface = Surface::build(std::move(mesh), building);
+    if (!surface) {
+        return tl::unexpected(surface.error());
+    }
+    if (Status status = compareWithMesh(opened.file, **surface); !status) {
+        return tl::unexpected(status.error());
+    }
+    StageProgress reading(progress, 0.4, 1);
+    auto texels = readTexels(opened.file, opened.budget, reading);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    return Project{
+        std::move(*surface), std::move(*texels), withoutMesh(std::move(opened.metadata))};
+}
+
+Result<Project>
+openWithOwnMesh(const std::filesystem::path& path, OpenedFile opened, Progress& progress)
+{
+    auto mesh = meshOf(opened.metadata, opened.file.faceCount());
+    if (!mesh) {
+        return inFile(path, mesh.error());
+    }
+    auto project = assemble(std::move(opened), std::move(*mesh), progress);
+    return project ? std::move(project) : inFile(path, project.error());
+}
+
+PtxContents contentsOf(const Project& project)
+{
+    PtxContents contents;
+    contents.texels = project.texels;
+    contents.adjacency = project.surface->adjacency();
+    contents.metadata = withoutMesh(project.metadata);
+    for (PtxMetadata& item : metadataOf(project.surface->mesh())) {
+        contents.metadata.push_back(std::move(item));
+    }
+    return contents;
+}
+
+} // namespace
+
+Result<Project> openProject(const std::filesystem::path& path, Progress& progress)
+{
+    auto opened = openFile(path);
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    const std::optional<int> version = projectVersionOf(opened->metadata);
+    if (!version) {
+        return contentsError(path.string() + ": is a .ptx texture, not a Trixel project");
+    }
+    if (*version < 1 || *version > kProjectVersion) {
+        return contentsError(path.string() + ": is a project of version " +
+                             std::to_string(*version) + ", this Trixel opens versions up to " +
+                             std::to_string(kProjectVersion));
+    }
+    return openWithOwnMesh(path, std::move(*opened), progress);
+}
+
+Status saveProject(const std::filesystem::path& path, const Project& project, Progress& progress)
+{
+    PtxContents contents = contentsOf(project);
+    contents.metadata.push_back({kProjectVersionKey, std::vector<std::int32_t>{kProjectVersion}});
+    return writePtx(path, contents, {.mips = false}, progress);
+}
+
+Result<Project> openPtx(const std::filesystem::path& path, Progress& progress)
+{
+    auto opened = openFile(path);
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    if (!carriesMesh(opened->metadata)) {
+        return contentsError(path.string() +
+                             ": does not carry its mesh; open it together with the mesh it was "
+                             "painted on");
+    }
+    return openWithOwnMesh(path, std::move(*opened), progress);
+}
+
+Result<Project>
+openPtxOnMesh(const std::filesystem::path& path, TriangleMesh mesh, Progress& progress)
+{
+    auto opened = openFile(path);
+    if (!opened) {
+        return tl::unexpected(opened.error());
+    }
+    if (mesh.faceCount() != opened->file.faceCount()) {
+        return contentsError(path.string() + ": is a texture of " +
+                             std::to_string(opened->file.faceCount()) + " faces, the mesh has " +
+                             std::to_string(mesh.faceCount()));
+    }
+    auto project = assemble(std::move(*opened), std::move(mesh), progress);
+    return project ? std::move(project) : inFile(path, project.error());
+}
+
+Status exportPtx(const std::filesystem::path& path,
+                 const Project& project,
+                 const PtxWriteOptions& options,
+                 Progress& progress)
+{
+    return writePtx(path, contentsOf(project), options, progress);
+}
+
+} // namespace trixel

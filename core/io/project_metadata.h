@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A mesh in the metadata of a .ptx: the three keys that Ptex reserves for it, and Trixel's own.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/io/ptx.h"
+#include "core/mesh/triangle_mesh.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+inline constexpr const char* kVertexCountsKey = "PtexFaceVertCounts";
+inline constexpr const char* kVertexIndicesKey = "PtexFaceVertIndices";
+inline constexpr const char* kVertexPositionsKey = "PtexVertPositions";
+inline constexpr const char* kProjectVersionKey = "TrixelProject";
+inline constexpr const char* kSourceFacesKey = "TrixelSourceFaces";
+
+/// The newest version of project that can be opened, and the one that is written.
+inline constexpr int kProjectVersion = 1;
+
+/// Whether the three keys of a mesh are all there.
+bool carriesMesh(std::span<const PtxMetadata> items);
+
+/// The mesh, checked: three corners a face, as many faces as expected, indices of vertices that
+/// exist, finite positions. Errors name the key and the first face or vertex at fault.
+Result<TriangleMesh> meshOf(std::span<const PtxMetadata> items, std::uint32_t faceCount);
+
+/// The items that keep a mesh.
+std::vector<PtxMetadata> metadataOf(const TriangleMesh& mesh);
+
+/// The version of the project, or nothing if the items do not make one.
+std::optional<int> projectVersionOf(std::span<const PtxMetadata> items);
+
+/// The items without those that keep the mesh and make a project.
+std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items);
+
+} // namespace trixel
