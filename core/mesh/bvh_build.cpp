@@ -11,7 +11,7 @@ namespace trixel {
 
 namespace {
 
-constexpr std::size_t kLeafFaces = 6;
+constexpr std::size_t kLeafFaces = 4;
 constexpr int kBins = 16;
 /// Beyond this depth ranges are halved by count: at most 30 more levels for 2^30 faces.
 constexpr int kHalvingDepth = 48;

@@ -3,7 +3,6 @@
 // One touch of the brush, and the one rule for what it adds to a texel.
 #pragma once
 
-#include <algorithm>
 #include <glm/vec3.hpp>
 
 namespace trixel {
@@ -37,7 +36,10 @@ public:
     /// \return          [0,1]; 0 from the rim on
     float at(float distance) const
     {
-        const float s = std::clamp((distance - m_hardness) * m_scale, 0.0F, 1.0F);
+        // Plain choices between values, here and below: loops over them run several at a time.
+        const float fall = (distance - m_hardness) * m_scale;
+        const float begun = fall > 0.0F ? fall : 0.0F;
+        const float s = begun < 1.0F ? begun : 1.0F;
         return 1.0F - s * s * (3.0F - 2.0F * s);
     }
 
@@ -52,7 +54,9 @@ private:
 /// one cap throughout this is cap (1 - Π(1 - strength)).
 inline float covered(float before, float cap, float strength)
 {
-    return std::max(before, std::min(before + (cap - before) * strength, cap));
+    const float moved = before + (cap - before) * strength;
+    const float capped = moved < cap ? moved : cap;
+    return capped > before ? capped : before;
 }
 
 } // namespace trixel

@@ -4,7 +4,6 @@
 #include "core/base/check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,8 +11,9 @@ namespace trixel {
 
 namespace {
 
-/// Texels below which starting a thread costs more than it saves.
-constexpr double kTexelsPerThread = 16'384;
+/// Texels for which another thread is worth starting: about two milliseconds of work. With less it
+/// saves less than the wait for its start and end costs on a busy machine.
+constexpr double kTexelsPerThread = 150'000;
 constexpr std::size_t kPiecesAtATime = 4;
 
 RowRange within(RowRange rows, std::uint32_t begin, std::uint32_t end)
@@ -21,28 +21,47 @@ RowRange within(RowRange rows, std::uint32_t begin, std::uint32_t end)
     return {std::max(rows.begin, begin), std::min(rows.end, end)};
 }
 
+/// Makes the rectangle hold another one, too. \param width  not 0
+void extend(
+    TouchedRect& rect, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height)
+{
+    const bool isFirst = rect.width == 0;
+    const std::uint32_t left = isFirst ? x : std::min<std::uint32_t>(rect.x, x);
+    const std::uint32_t top = isFirst ? y : std::min<std::uint32_t>(rect.y, y);
+    const std::uint32_t right = std::max<std::uint32_t>(rect.x + rect.width, x + width);
+    const std::uint32_t bottom = std::max<std::uint32_t>(rect.y + rect.height, y + height);
+    rect.x = static_cast<std::uint16_t>(left);
+    rect.y = static_cast<std::uint16_t>(top);
+    rect.width = static_cast<std::uint16_t>(right - left);
+    rect.height = static_cast<std::uint16_t>(bottom - top);
+}
+
 /// Grows the coverage of consecutive texels; false when all of them had enough already.
 /// \param first  of the texels' places in the span
 bool growCoverage(const Dab& dab,
-                  const Falloff& falloff,
+                  Falloff falloff,
                   float flow,
                   const DabSpan& span,
                   std::uint32_t first,
                   std::span<float> coverage)
 {
-    // In two loops without branches, so that either runs several texels at a time.
-    std::array<float, StrokeFace::kTileSide> grown;
-    for (std::size_t k = 0; k < coverage.size(); ++k) {
-        const float along = span.start + static_cast<float>(first + k) * span.step;
-        const float strength = flow * falloff.at(std::sqrt(span.heightSquared + along * along));
-        grown[k] = covered(coverage[k], dab.cap, strength);
+    // Plain values and no branches, so that the loop runs several texels at a time.
+    const int count = static_cast<int>(coverage.size());
+    const float start = span.start + static_cast<float>(first) * span.step;
+    const float height = span.heightSquared;
+    const float step = span.step;
+    const float cap = dab.cap;
+    float* const values = coverage.data();
+    int grew = 0;
+    for (int k = 0; k < count; ++k) {
+        const float along = start + static_cast<float>(k) * step;
+        const float strength = flow * falloff.at(std::sqrt(height + along * along));
+        const float before = values[k];
+        const float after = covered(before, cap, strength);
+        grew |= after > before ? 1 : 0;
+        values[k] = after;
     }
-    bool grew = false;
-    for (std::size_t k = 0; k < coverage.size(); ++k) {
-        grew |= grown[k] != coverage[k];
-        coverage[k] = grown[k];
-    }
-    return grew;
+    return grew != 0;
 }
 
 } // namespace
@@ -65,9 +84,9 @@ StrokeFace& DabPainter::strokeFace(FaceId face, const TexelStore& store)
     const auto [place, isNew] =
         m_placeOf.try_emplace(static_cast<std::uint32_t>(face), m_faces.size());
     if (isNew) {
-        m_faces.push_back(std::make_unique<StrokeFace>(face, store.face(face)));
+        m_faces.emplace_back(face, store.face(face));
     }
-    StrokeFace& found = *m_faces[place->second];
+    StrokeFace& found = m_faces[place->second];
     check(found.level() == store.face(face).level(), "levels stay during a stroke");
     return found;
 }
@@ -79,6 +98,7 @@ DabPainter::Piece& DabPainter::nextPiece()
     }
     Piece& piece = m_pieces[m_pieceCount++];
     piece.segments.clear();
+    piece.touched = {};
     piece.changes = false;
     return piece;
 }
@@ -125,18 +145,33 @@ void DabPainter::coverRow(Piece& piece,
     const std::uint32_t side = piece.face->tileSide();
     for (std::uint32_t x = span.begin; x < span.end;) {
         const std::uint32_t tileX = x / side;
-        const std::uint32_t end = std::min(span.end, (tileX + 1) * side);
-        StrokeTile& tile = piece.face->reach(tileX, piece.tileY, *piece.now);
-        const std::span<float> coverage(
-            tile.coverage.get() + std::size_t{row % side} * side + x % side, end - x);
+        const std::uint32_t count = std::min(span.end, (tileX + 1) * side) - x;
+        const StrokeTile& tile = piece.face->reach(tileX, piece.tileY, *piece.now);
+        const auto coverage = tile.coverage().subspan(row % side * side + x % side, count);
         if (growCoverage(dab, m_falloff, m_flow, span, x - span.begin, coverage)) {
-            piece.segments.push_back({&tile,
-                                      static_cast<std::uint16_t>(x),
-                                      static_cast<std::uint16_t>(row),
-                                      static_cast<std::uint16_t>(end - x)});
+            note(piece, tile, x, row, count);
         }
-        x = end;
+        x += count;
     }
+}
+
+void DabPainter::note(
+    Piece& piece, const StrokeTile& tile, std::uint32_t x, std::uint32_t row, std::uint32_t count)
+{
+    extend(piece.touched, x, row, count, 1);
+    const std::uint32_t side = piece.face->tileSide();
+    const std::uint32_t resolution = piece.face->level().resolution();
+    const Segment segment{&tile, row % side * side + x % side, row * resolution + x, count};
+    if (side < resolution || piece.segments.empty()) {
+        piece.segments.push_back(segment);
+        return;
+    }
+    // All of the face is one tile: one segment from the first texel to the last.
+    Segment& all = piece.segments.front();
+    const std::uint32_t first = std::min(all.firstOfTile, segment.firstOfTile);
+    const std::uint32_t end =
+        std::max(all.firstOfTile + all.count, segment.firstOfTile + segment.count);
+    all = {&tile, first, first, end - first};
 }
 
 void DabPainter::cover(Piece& piece, const Dab& dab) const
@@ -151,63 +186,59 @@ void DabPainter::cover(Piece& piece, const Dab& dab) const
     piece.changes = !piece.segments.empty() && (!piece.now->isConstant() || changesAnything(piece));
 }
 
+/// Calls work(before, coverage, first texel of the face) for runs of texels of all segments, until
+/// it returns false.
+template <class Work>
+void DabPainter::forEachRun(const Piece& piece, Work&& work) const
+{
+    for (const Segment& segment : piece.segments) {
+        for (std::uint32_t done = 0; done < segment.count; done += StrokeFace::kRunTexels) {
+            const std::uint32_t count = std::min(StrokeFace::kRunTexels, segment.count - done);
+            const std::uint32_t first = segment.firstOfTile + done;
+            const std::span<const float> coverage = segment.tile->coverage().subspan(first, count);
+            const auto before = piece.face->before(*segment.tile, first, count);
+            if (!work(before, coverage, segment.firstOfFace + done)) {
+                return;
+            }
+        }
+    }
+}
+
 bool DabPainter::changesAnything(const Piece& piece) const
 {
-    const std::uint32_t side = piece.face->tileSide();
-    std::vector<std::byte> after(side * m_format.texelBytes());
-    return std::ranges::any_of(piece.segments, [&](const Segment& segment) {
-        const std::uint32_t x = segment.x % side;
-        const std::uint32_t y = segment.y % side;
-        const auto before = piece.face->before(*segment.tile, x, y, segment.count);
+    std::vector<std::byte> after(StrokeFace::kRunTexels * m_format.texelBytes());
+    bool same = true;
+    forEachRun(piece, [&](auto before, auto coverage, std::uint32_t /*first*/) {
         const std::span<std::byte> texels = std::span(after).first(before.size());
-        const std::span<const float> coverage(
-            segment.tile->coverage.get() + std::size_t{y} * side + x, segment.count);
         m_blend.blend(before, coverage, texels);
-        return !std::ranges::equal(before, texels);
+        same = std::ranges::equal(before, texels);
+        return same;
     });
+    return !same;
 }
 
 void DabPainter::blend(const Piece& piece) const
 {
-    const std::uint32_t side = piece.face->tileSide();
     const std::size_t texelBytes = m_format.texelBytes();
-    for (const Segment& segment : piece.segments) {
-        const std::uint32_t x = segment.x % side;
-        const std::uint32_t y = segment.y % side;
-        const std::size_t first =
-            std::size_t{segment.y} * piece.face->level().resolution() + segment.x;
-        m_blend.blend(piece.face->before(*segment.tile, x, y, segment.count),
-                      {segment.tile->coverage.get() + std::size_t{y} * side + x, segment.count},
-                      piece.texels.subspan(first * texelBytes, segment.count * texelBytes));
-    }
+    forEachRun(piece, [&](auto before, auto coverage, std::uint32_t first) {
+        m_blend.blend(before, coverage, piece.texels.subspan(first * texelBytes, before.size()));
+        return true;
+    });
 }
 
-void DabPainter::touch(const Piece& piece, bool wasSpreadNow)
+void DabPainter::touch(const Piece& piece, bool isSpreadNow)
 {
-    const auto id = static_cast<std::uint32_t>(piece.face->id());
-    const auto [place, isNew] = m_touched.try_emplace(id);
-    TouchedRect& rect = place->second;
+    TouchedRect& rect = piece.face->touched;
+    if (rect.width == 0) {
+        m_touched.push_back(piece.face);
+    }
+    const TouchedRect& more = piece.touched;
+    extend(rect, more.x, more.y, more.width, more.height);
     rect.face = piece.face->id();
-    if (rect.wholeFace) {
-        return;
-    }
-    if (wasSpreadNow) {
-        const auto side = static_cast<std::uint16_t>(piece.face->level().resolution());
-        rect = {rect.face, 0, 0, side, side, true};
-        return;
-    }
-    for (const Segment& segment : piece.segments) {
-        const bool first = rect.width == 0;
-        const int left = first ? segment.x : std::min(rect.x, segment.x);
-        const int top = first ? segment.y : std::min(rect.y, segment.y);
-        const int right = std::max(first ? 0 : rect.x + rect.width, segment.x + segment.count);
-        const int bottom = std::max(first ? 0 : rect.y + rect.height, segment.y + 1);
-        rect = {rect.face,
-                static_cast<std::uint16_t>(left),
-                static_cast<std::uint16_t>(top),
-                static_cast<std::uint16_t>(right - left),
-                static_cast<std::uint16_t>(bottom - top),
-                false};
+    if (isSpreadNow) {
+        const std::uint32_t side = piece.face->level().resolution();
+        extend(rect, 0, 0, side, side);
+        rect.wholeFace = true;
     }
 }
 
@@ -251,12 +282,11 @@ void DabPainter::paint(const Dab& dab,
     for (const FaceId face : faces) {
         addPieces(face, dab, mesh, store);
     }
-    double texels = 0; // an upper bound is good enough to choose how many threads to start
+    double texels = 0; // about: enough to choose how many threads to start
     for (std::size_t k = 0; k < m_pieceCount; ++k) {
         const Piece& piece = m_pieces[k];
-        const double rows = std::max(piece.lowerRows.end, piece.upperRows.end) -
-                            std::min(piece.lowerRows.begin, piece.upperRows.begin);
-        texels += rows * piece.face->level().resolution();
+        texels += (piece.lowerRows.end - piece.lowerRows.begin) * piece.lower.longestRow() * 0.5;
+        texels += (piece.upperRows.end - piece.upperRows.begin) * piece.upper.longestRow() * 0.5;
     }
     const Threads threads = threadsFor(texels);
     parallelFor(m_pieceCount, kPiecesAtATime, threads, [&](std::size_t begin, std::size_t end) {
@@ -276,8 +306,8 @@ std::vector<TouchedRect> DabPainter::takeTouched()
 {
     std::vector<TouchedRect> touched;
     touched.reserve(m_touched.size());
-    for (const auto& [face, rect] : m_touched) {
-        touched.push_back(rect);
+    for (StrokeFace* face : m_touched) {
+        touched.push_back(std::exchange(face->touched, {}));
     }
     std::ranges::sort(touched, {}, &TouchedRect::face);
     m_touched.clear();
@@ -287,12 +317,12 @@ std::vector<TouchedRect> DabPainter::takeTouched()
 TexelPatch DabPainter::finish(const TexelStore& store)
 {
     TexelPatch patch;
-    for (const auto& face : m_faces) {
-        face->addTo(patch, store.face(face->id()));
+    for (const StrokeFace& face : m_faces) {
+        face.addTo(patch, store.face(face.id()));
     }
-    m_faces.clear();
-    m_placeOf.clear();
     m_touched.clear();
+    m_placeOf.clear();
+    m_faces.clear();
     return patch;
 }
 

@@ -7,7 +7,7 @@
 #include "core/paint/stroke_buffer.h"
 #include "core/paint/texel_blend.h"
 
-#include <memory>
+#include <deque>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -42,13 +42,14 @@ public:
     TexelPatch finish(const TexelStore& store);
 
 private:
-    /// Texels of one row of one tile whose coverage grew.
+    /// Texels that follow each other both in a tile and in their face, some of which are newly
+    /// covered. Others may be among them: blending those once more leaves them as they are.
     struct Segment
     {
         const StrokeTile* tile = nullptr;
-        std::uint16_t x = 0; ///< in the packed square
-        std::uint16_t y = 0;
-        std::uint16_t count = 0;
+        std::uint32_t firstOfTile = 0;
+        std::uint32_t firstOfFace = 0;
+        std::uint32_t count = 0;
     };
 
     /// One row of tiles of one face under the dab: a piece of work for one thread.
@@ -63,6 +64,7 @@ private:
         RowRange upperRows;
         std::uint32_t tileY = 0;
         std::vector<Segment> segments;
+        TouchedRect touched;  ///< around the texels newly covered
         bool changes = false; ///< some texel takes another value than before the stroke
     };
 
@@ -71,10 +73,17 @@ private:
     Piece& nextPiece();
     void cover(Piece& piece, const Dab& dab) const;
     void coverRow(Piece& piece, const HalfRaster& half, std::uint32_t row, const Dab& dab) const;
+    static void note(Piece& piece,
+                     const StrokeTile& tile,
+                     std::uint32_t x,
+                     std::uint32_t row,
+                     std::uint32_t count);
     bool changesAnything(const Piece& piece) const;
     void blend(const Piece& piece) const;
+    template <class Work>
+    void forEachRun(const Piece& piece, Work&& work) const;
     void makeWritable(TexelStore& store);
-    void touch(const Piece& piece, bool wasSpreadNow);
+    void touch(const Piece& piece, bool isSpreadNow);
     Threads threadsFor(double texels) const;
 
     TexelFormat m_format;
@@ -83,11 +92,11 @@ private:
     float m_flow;
     Threads m_threads;
 
-    std::vector<std::unique_ptr<StrokeFace>> m_faces;         ///< in the order they were reached
+    std::deque<StrokeFace> m_faces;                           ///< in the order they were reached
     std::unordered_map<std::uint32_t, std::size_t> m_placeOf; ///< of a face in m_faces
     std::vector<Piece> m_pieces;                              ///< kept for their memory
     std::size_t m_pieceCount = 0;
-    std::unordered_map<std::uint32_t, TouchedRect> m_touched;
+    std::vector<StrokeFace*> m_touched; ///< faces whose `touched` is not empty
 };
 
 } // namespace trixel

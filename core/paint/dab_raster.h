@@ -52,6 +52,9 @@ public:
     /// without area.
     RowRange rows() const;
 
+    /// The most texels that one row can hold within the radius.
+    double longestRow() const;
+
     /// The texels of a row whose centroids lie within the dab's radius; a texel on the rim, where
     /// the falloff is 0, may be in or out. \param row  below the resolution
     DabSpan span(std::uint32_t row) const;
@@ -59,12 +62,15 @@ public:
 private:
     std::uint32_t m_resolution = 1;
     TexelHalf m_half = TexelHalf::Lower;
-    // Centroid of the pixel (x, y) relative to the dab's centre: origin + x across + y down, in
-    // radii.
-    glm::dvec3 m_origin{0};
-    glm::dvec3 m_across{0};
-    glm::dvec3 m_down{0};
-    double m_acrossSquared = 0;
+    // In radii of the dab, from its centre. The centroids of a row lie on a line; its point nearest
+    // to the centre, the foot, moves evenly from row to row, both in space and in columns.
+    glm::dvec3 m_footOfFirst{0};
+    glm::dvec3 m_footStep{0};
+    double m_footColumn = 0;
+    double m_footColumnStep = 0;
+    double m_columnWidth = 0;    ///< from one centroid of a row to the next
+    double m_columnsPerUnit = 0; ///< 1 / m_columnWidth; 0 where all of a row is one point
+    bool m_isFlat = false;       ///< without area: all rows lie on one line
 };
 
 } // namespace trixel

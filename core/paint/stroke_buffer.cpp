@@ -1,62 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/paint/stroke_buffer.h"
 
+#include "core/base/check.h"
+
 #include <algorithm>
 #include <cstring>
 
 namespace trixel {
+
+void StrokeTile::reach(std::uint32_t texels, std::size_t beforeBytes)
+{
+    const std::size_t words = (beforeBytes + sizeof(float) - 1) / sizeof(float);
+    m_memory = std::make_unique_for_overwrite<float[]>(texels + words);
+    m_texels = texels;
+    std::ranges::fill(coverage(), 0.0F);
+}
 
 StrokeFace::StrokeFace(FaceId face, const FaceTexels& before)
     : m_id(face)
     , m_level(before.level())
     , m_tileSide(std::min(before.level().resolution(), kTileSide))
     , m_texelBytes(static_cast<std::uint32_t>(before.texelBytes()))
-    , m_rows(tilesPerRow())
 {
+    if (tilesPerRow() > 1) {
+        m_rows.resize(tilesPerRow());
+    }
     if (before.isConstant()) {
         m_constant = before;
-        for (std::uint32_t k = 0; k < m_tileSide; ++k) {
-            m_constantRow.insert(m_constantRow.end(), before.bytes().begin(), before.bytes().end());
+        m_constantRun.resize(std::size_t{kRunTexels} * m_texelBytes);
+        for (std::uint32_t k = 0; k < kRunTexels; ++k) {
+            std::ranges::copy(before.bytes(), m_constantRun.begin() + k * m_texelBytes);
         }
     }
 }
 
 StrokeTile& StrokeFace::reach(std::uint32_t tileX, std::uint32_t tileY, const FaceTexels& now)
 {
-    std::vector<StrokeTile>& row = m_rows[tileY];
-    if (row.empty()) {
-        row.resize(tilesPerRow());
-    }
-    StrokeTile& tile = row[tileX];
-    if (tile.coverage) {
-        return tile;
-    }
-    const std::size_t texels = std::size_t{m_tileSide} * m_tileSide;
-    tile.coverage = std::make_unique<float[]>(texels); // all zero
-    if (!wasConstant()) {
-        const std::size_t rowBytes = std::size_t{m_tileSide} * m_texelBytes;
-        tile.before = std::make_unique_for_overwrite<std::byte[]>(texels * m_texelBytes);
-        for (std::uint32_t y = 0; y < m_tileSide; ++y) {
-            const std::size_t texel =
-                std::size_t{tileY * m_tileSide + y} * m_level.resolution() + tileX * m_tileSide;
-            std::memcpy(tile.before.get() + y * rowBytes,
-                        now.bytes().data() + texel * m_texelBytes,
-                        rowBytes);
+    StrokeTile* tile = &m_onlyTile;
+    if (!m_rows.empty()) {
+        if (!m_rows[tileY]) {
+            m_rows[tileY] = std::make_unique<StrokeTile[]>(tilesPerRow());
         }
+        tile = &m_rows[tileY][tileX];
     }
-    return tile;
+    if (tile->isReached()) {
+        return *tile;
+    }
+    const std::uint32_t texels = m_tileSide * m_tileSide;
+    tile->reach(texels, wasConstant() ? 0 : std::size_t{texels} * m_texelBytes);
+    const std::size_t rowBytes = std::size_t{m_tileSide} * m_texelBytes;
+    for (std::uint32_t y = 0; y < m_tileSide && !wasConstant(); ++y) {
+        const std::size_t texel =
+            std::size_t{tileY * m_tileSide + y} * m_level.resolution() + tileX * m_tileSide;
+        std::memcpy(
+            tile->before() + y * rowBytes, now.bytes().data() + texel * m_texelBytes, rowBytes);
+    }
+    return *tile;
 }
 
-std::span<const std::byte> StrokeFace::before(const StrokeTile& tile,
-                                              std::uint32_t x,
-                                              std::uint32_t y,
-                                              std::uint32_t count) const
+std::span<const std::byte>
+StrokeFace::before(const StrokeTile& tile, std::uint32_t first, std::uint32_t count) const
 {
+    check(count <= kRunTexels, "a run of texels");
+    const std::size_t bytes = std::size_t{count} * m_texelBytes;
     if (wasConstant()) {
-        return std::span(m_constantRow).first(std::size_t{count} * m_texelBytes);
+        return std::span(m_constantRun).first(bytes);
     }
-    const std::size_t first = std::size_t{y} * m_tileSide + x;
-    return {tile.before.get() + first * m_texelBytes, std::size_t{count} * m_texelBytes};
+    return {tile.before() + std::size_t{first} * m_texelBytes, bytes};
+}
+
+std::span<const StrokeTile> StrokeFace::tileRow(std::uint32_t tileY) const
+{
+    if (m_rows.empty()) {
+        return {&m_onlyTile, 1};
+    }
+    const StrokeTile* row = m_rows[tileY].get();
+    return {row, row == nullptr ? 0 : tilesPerRow()};
 }
 
 void StrokeFace::addRowChanges(std::uint32_t y,
@@ -64,14 +83,14 @@ void StrokeFace::addRowChanges(std::uint32_t y,
                                std::vector<TexelPatch::Run>& runs,
                                std::vector<std::byte>& values) const
 {
-    const std::vector<StrokeTile>& row = m_rows[y / m_tileSide];
+    const std::span<const StrokeTile> row = tileRow(y / m_tileSide);
     for (std::uint32_t tileX = 0; tileX < row.size(); ++tileX) {
-        const StrokeTile& tile = row[tileX];
-        if (!tile.coverage) {
+        if (!row[tileX].isReached()) {
             continue;
         }
         const std::uint32_t first = y * m_level.resolution() + tileX * m_tileSide;
-        const std::span<const std::byte> old = before(tile, 0, y % m_tileSide, m_tileSide);
+        const std::span<const std::byte> old =
+            before(row[tileX], (y % m_tileSide) * m_tileSide, m_tileSide);
         for (std::uint32_t x = 0; x < m_tileSide; ++x) {
             const auto texel = old.subspan(std::size_t{x} * m_texelBytes, m_texelBytes);
             if (std::ranges::equal(texel, now.texel(first + x))) {
@@ -98,10 +117,12 @@ void StrokeFace::addTo(TexelPatch& patch, const FaceTexels& now) const
     }
     std::vector<TexelPatch::Run> runs;
     std::vector<std::byte> values;
-    for (std::uint32_t tileY = 0; tileY < m_rows.size(); ++tileY) {
-        for (std::uint32_t y = 0; y < m_tileSide && !m_rows[tileY].empty(); ++y) {
-            addRowChanges(tileY * m_tileSide + y, now, runs, values);
+    for (std::uint32_t y = 0; y < m_level.resolution(); ++y) {
+        if (tileRow(y / m_tileSide).empty()) {
+            y += m_tileSide - 1; // none of these rows was reached
+            continue;
         }
+        addRowChanges(y, now, runs, values);
     }
     if (!runs.empty()) {
         patch.addTexels(m_id, runs, values);

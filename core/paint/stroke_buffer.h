@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/ids.h"
+#include "core/paint/stroke.h"
 #include "core/texture/face_texels.h"
 #include "core/texture/texel_patch.h"
 
@@ -14,10 +15,23 @@ namespace trixel {
 
 /// A square of the packed square that a stroke has reached: how far each of its texels is covered,
 /// and what it held before the stroke.
-struct StrokeTile
+class StrokeTile
 {
-    std::unique_ptr<float[]> coverage;   ///< row-major; null while the stroke has not been here
-    std::unique_ptr<std::byte[]> before; ///< stored texels, row-major; null on a constant face
+public:
+    bool isReached() const { return m_memory != nullptr; }
+
+    /// [0,1] per texel, row-major.
+    std::span<float> coverage() const { return {m_memory.get(), m_texels}; }
+
+    /// Stored texels, row-major; none on a face that was constant.
+    std::byte* before() const { return reinterpret_cast<std::byte*>(m_memory.get() + m_texels); }
+
+    /// Nothing covered yet. \param beforeBytes  room for the texels before the stroke
+    void reach(std::uint32_t texels, std::size_t beforeBytes);
+
+private:
+    std::unique_ptr<float[]> m_memory; ///< coverage, then what was before
+    std::uint32_t m_texels = 0;
 };
 
 /// What a stroke remembers of one face it has reached: tiles where it has been, so that a face of
@@ -27,13 +41,15 @@ class StrokeFace
 {
 public:
     static constexpr std::uint32_t kTileSide = 32;
+    /// The most texels that `before` can give at a time.
+    static constexpr std::uint32_t kRunTexels = 64;
 
     /// \param before  the face as it was before the stroke
     StrokeFace(FaceId face, const FaceTexels& before);
 
     FaceId id() const { return m_id; }
     Level level() const { return m_level; }
-    bool wasConstant() const { return m_constant.texelBytes() > 0; }
+    bool wasConstant() const { return !m_constantRun.empty(); }
 
     /// Texels along the side of a tile: 32, or the resolution of a smaller face.
     std::uint32_t tileSide() const { return m_tileSide; }
@@ -43,14 +59,19 @@ public:
     /// tile's texels are still as they were before the stroke
     StrokeTile& reach(std::uint32_t tileX, std::uint32_t tileY, const FaceTexels& now);
 
-    /// Texels as they were before the stroke: `count` of a row of a tile from `x` on.
+    /// Texels as they were before the stroke. \param first  within the tile, row-major
+    /// \param count  up to kRunTexels
     std::span<const std::byte>
-    before(const StrokeTile& tile, std::uint32_t x, std::uint32_t y, std::uint32_t count) const;
+    before(const StrokeTile& tile, std::uint32_t first, std::uint32_t count) const;
 
     /// Adds what the stroke changed, if anything. \param now  the face in the store after it
     void addTo(TexelPatch& patch, const FaceTexels& now) const;
 
+    /// What changed since the painter was last asked; of no width when nothing did.
+    TouchedRect touched;
+
 private:
+    std::span<const StrokeTile> tileRow(std::uint32_t tileY) const;
     void addRowChanges(std::uint32_t y,
                        const FaceTexels& now,
                        std::vector<TexelPatch::Run>& runs,
@@ -60,9 +81,10 @@ private:
     Level m_level;
     std::uint32_t m_tileSide = 1;
     std::uint32_t m_texelBytes = 0;
-    FaceTexels m_constant;                ///< only if the face was constant
-    std::vector<std::byte> m_constantRow; ///< its value, a tile's side long
-    std::vector<std::vector<StrokeTile>> m_rows;
+    FaceTexels m_constant;                             ///< only if the face was constant
+    std::vector<std::byte> m_constantRun;              ///< its value, kRunTexels long; else empty
+    StrokeTile m_onlyTile;                             ///< of a face that has one
+    std::vector<std::unique_ptr<StrokeTile[]>> m_rows; ///< of a face that has more
 };
 
 } // namespace trixel

@@ -27,24 +27,55 @@ void blendValues(const std::byte* before,
     using Stored = typename Codec::Stored;
     std::array<Stored, kChunkValues> from;
     std::array<Stored, kChunkValues> to;
+    std::array<float, kChunkValues> mixed;
     std::memcpy(from.data(), before, count * sizeof(Stored));
     for (std::size_t k = 0; k < count; ++k) {
-        const float old = Codec::decoded(from[k]);
-        const float mixed = old + coverage[k] * (value[k] - old);
-        const Stored moved = Codec::encoded(coverage[k] >= 1.0F ? value[k] : mixed);
-        to[k] = coverage[k] > 0.0F ? moved : from[k];
+        mixed[k] = Codec::decoded(from[k]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        const float moved = mixed[k] + coverage[k] * (value[k] - mixed[k]);
+        const float inside = coverage[k] > 0.0F ? moved : mixed[k];
+        mixed[k] = coverage[k] < 1.0F ? inside : value[k];
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        to[k] = Codec::encoded(mixed[k]);
+    }
+    if constexpr (kType == TexelType::Half) {
+        // The only type whose values need not survive the way through float and back: a NaN.
+        for (std::size_t k = 0; k < count; ++k) {
+            to[k] = coverage[k] > 0.0F ? to[k] : from[k];
+        }
     }
     std::memcpy(texels, to.data(), count * sizeof(Stored));
 }
 
-/// Each texel's coverage once per channel. \param coverage  `texels` of them
+/// Each texel's coverage once per channel, for a number of channels known beforehand.
+template <std::size_t kChannels>
+void spreadOver(const float* coverage, std::size_t texels, float* values)
+{
+    for (std::size_t k = 0; k < texels; ++k) {
+        for (std::size_t channel = 0; channel < kChannels; ++channel) {
+            values[k * kChannels + channel] = coverage[k];
+        }
+    }
+}
+
 void spreadOverChannels(const float* coverage,
                         std::size_t texels,
                         std::size_t channels,
                         float* values)
 {
-    for (std::size_t k = 0; k < texels; ++k) {
-        std::fill_n(values + k * channels, channels, coverage[k]);
+    switch (channels) {
+    case 1:
+        return spreadOver<1>(coverage, texels, values);
+    case 3:
+        return spreadOver<3>(coverage, texels, values);
+    case 4:
+        return spreadOver<4>(coverage, texels, values);
+    default:
+        for (std::size_t k = 0; k < texels; ++k) {
+            std::fill_n(values + k * channels, channels, coverage[k]);
+        }
     }
 }
 

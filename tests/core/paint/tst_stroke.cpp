@@ -229,8 +229,9 @@ TEST(Stroke, snapshotsBetweenSamplesAndThreadsChangeNothing)
 {
     const auto surface = surfaceOf(test::sphereMesh(2));
     std::mt19937 random(8);
-    const Samples samples = randomSamples(random, 320, 10);
-    const Brush brush = whiteBrush(0.6F);
+    const Samples samples = randomSamples(random, 320, 4);
+    Brush brush = whiteBrush(1.5F); // half the sphere: enough texels for several threads
+    brush.spacing = 0.3F;
     const FaceMap<Level> levels = uniform(320, 6);
     TexelStore plain = coverageStore(levels);
     paint(surface, brush, samples, plain);
