@@ -30,26 +30,39 @@ std::uint8_t toByte(Word value)
     }
 }
 
+/// The common case, with all that is known beforehand left out of the loop.
+void rgbBytesShown(std::span<const std::byte> texels, std::byte* shown)
+{
+    const std::size_t count = texels.size() / 3;
+    for (std::size_t k = 0; k < count; ++k) {
+        shown[4 * k] = texels[3 * k];
+        shown[4 * k + 1] = texels[3 * k + 1];
+        shown[4 * k + 2] = texels[3 * k + 2];
+        shown[4 * k + 3] = std::byte{255};
+    }
+}
+
 template <class Word>
 void integerShown(const Channels& channels,
                   std::size_t stride,
                   std::span<const std::byte> texels,
                   std::byte* shown)
 {
-    const std::size_t count = texels.size() / (stride * sizeof(Word));
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::byte* texel = texels.data() + k * stride * sizeof(Word);
-        std::array<std::uint8_t, 4> out{255, 255, 255, 255};
-        for (std::size_t c = 0; c < 4; ++c) {
-            if (channels[c] >= 0) {
-                Word word;
-                std::memcpy(&word,
-                            texel + static_cast<std::size_t>(channels[c]) * sizeof(Word),
-                            sizeof word);
-                out[c] = toByte(word);
+    const std::size_t texelBytes = stride * sizeof(Word);
+    const std::size_t count = texels.size() / texelBytes;
+    for (std::size_t c = 0; c < 4; ++c) {
+        if (channels[c] < 0) {
+            for (std::size_t k = 0; k < count; ++k) {
+                shown[4 * k + c] = std::byte{255};
             }
+            continue;
         }
-        std::memcpy(shown + 4 * k, out.data(), 4);
+        const std::byte* in = texels.data() + static_cast<std::size_t>(channels[c]) * sizeof(Word);
+        for (std::size_t k = 0; k < count; ++k) {
+            Word word;
+            std::memcpy(&word, in + k * texelBytes, sizeof word);
+            shown[4 * k + c] = static_cast<std::byte>(toByte(word));
+        }
     }
 }
 
@@ -100,7 +113,9 @@ void appendShown(const TexelFormat& format,
     const std::size_t before = shown.size();
     shown.resize(before + count * texelBytes(displayFormat(format.type)));
     std::byte* out = shown.data() + before;
-    if (format.type == TexelType::UInt8) {
+    if (format.type == TexelType::UInt8 && format.channels == 3 && !format.alpha) {
+        rgbBytesShown(texels, out);
+    } else if (format.type == TexelType::UInt8) {
         integerShown<std::uint8_t>(channelsShown(format), format.channels, texels, out);
     } else if (format.type == TexelType::UInt16) {
         integerShown<std::uint16_t>(channelsShown(format), format.channels, texels, out);

@@ -12,6 +12,7 @@ namespace {
 
 /// Rows of a rectangle closer than this are sent in one go: a call costs more than some texels.
 constexpr std::uint32_t kMergeGap = 32;
+constexpr std::size_t kMostReserved = 1U << 20U; // bytes, before it is known what there is
 /// Room to spare, so that painting unpainted faces seldom needs a larger buffer.
 constexpr std::uint64_t kLeastSpare = 1U << 18U;
 
@@ -127,6 +128,12 @@ void DisplayTexels::touch(const TexelStore& store, std::span<const TouchedRect> 
     }
 }
 
+void DisplayTexels::touchAll()
+{
+    m_nextFace = 0;
+    m_touched.clear();
+}
+
 bool DisplayTexels::hasWork() const
 {
     return m_fresh || !m_touched.empty() || m_nextFace < m_records.size();
@@ -135,6 +142,7 @@ bool DisplayTexels::hasWork() const
 DisplayUpdate DisplayTexels::take(const TexelStore& store, std::size_t byteBudget)
 {
     DisplayUpdate update;
+    update.bytes.reserve(std::min(byteBudget, kMostReserved));
     update.fresh = std::exchange(m_fresh, false);
     emitTouched(store, update);
     emitPending(store, byteBudget, update);

@@ -65,6 +65,9 @@ public:
     /// Notes that texels changed. The store must be the one of `reset`, as it is now.
     void touch(const TexelStore& store, std::span<const TouchedRect> rects);
 
+    /// Notes that every texel may have changed. What is on the card stays until it is replaced.
+    void touchAll();
+
     /// Converts what is to be sent next: all that was touched, then faces not sent yet until
     /// `byteBudget` is reached (at least one face).
     DisplayUpdate take(const TexelStore& store, std::size_t byteBudget);

@@ -37,6 +37,8 @@ public:
     /// Shows a store of the mesh's faces from the beginning.
     void setTexels(const TexelStore& store, int mipDrop);
     void touchTexels(const TexelStore& store, std::span<const TouchedRect> rects);
+    /// Every texel may have changed; what is shown stays until it is replaced.
+    void touchAllTexels() { m_texels.touchAll(); }
     /// Sends touched texels and, up to a budget of bytes, texels that have not been sent yet.
     /// \return bytes of texels sent
     std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);

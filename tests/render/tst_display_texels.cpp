@@ -264,6 +264,35 @@ TEST(DisplayTexels, theBufferGrowsWithoutStartingOver)
     expectShows(card, store, 0);
 }
 
+TEST(DisplayTexels, touchingAllSendsAllAgainAndLeavesNoFacePending)
+{
+    TexelStore store = mixedStore(60);
+    DisplayTexels display;
+    Card card;
+    display.reset(store, 0, kMuch);
+    card.apply(display, display.take(store, kAll));
+    std::mt19937 random(2);
+    for (std::uint32_t f = 0; f < 60; ++f) {
+        if (f % 4 == 0) {
+            store.exchange(
+                faceId(f),
+                FaceTexels::constant(Level(static_cast<int>(f % 5)), bytesOf({int(f % 9), 8, 7})));
+        } else {
+            paint(store, faceId(f), random);
+        }
+    }
+    display.touchAll();
+    while (display.hasWork()) {
+        const DisplayUpdate update = display.take(store, 500);
+        EXPECT_FALSE(update.fresh);
+        card.apply(display, update);
+        for (const FaceRecord& record : card.records) {
+            EXPECT_FALSE(record.isPending());
+        }
+    }
+    expectShows(card, store, 0);
+}
+
 TEST(DisplayTexels, aLevelChangeMovesTheFace)
 {
     TexelStore store = mixedStore(20);
