@@ -1,36 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QWidget>
 
 #include "core/footprint/footprint.h"
 #include "core/lattice/texel.h"
 #include "core/mesh/bvh.h"
+#include "render/camera.h"
+#include "ui/viewport/hovered_texel.h"
 
+#include <array>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace trixel::ui {
 
 class Document;
 class ViewSettings;
 
-/// The texel under the pointer, for the readout.
-struct HoveredTexel
-{
-    SurfacePoint point;
-    Level level; ///< of the face as shown (after the mip drop)
-    TexelCoord texel;
-    TexelIndex index{};
-    PackedPixel pixel;
-    std::vector<float> values; ///< one a channel, as stored
-    Footprint footprint;
-    FootprintEllipse ellipse;
-};
-
 /// The 3D view: shows the document's surface with its texels, navigates, and paints.
-class Viewport : public QOpenGLWidget
+///
+/// | what | how |
+/// |---|---|
+/// | paint, erase, fill, pick | left button, by the tool; a pen's eraser end erases |
+/// | straight line from the last stroke | Shift + left |
+/// | pick whatever the tool | Ctrl + left |
+/// | orbit | Alt + left, or middle |
+/// | pan | Alt + middle, or Shift + middle |
+/// | zoom | Alt + right, or wheel towards the pointer |
+/// | brush size, hardness | Ctrl + right, sideways, up and down |
+/// | take the stroke back | Esc while painting |
+class Viewport : public QWidget
 {
     Q_OBJECT
 
@@ -43,6 +44,27 @@ public:
     /// Frames the faces around the hovered point, or all when nothing is hovered.
     void frameHovered();
 
+    const render::Camera& camera() const;
+    void setCamera(const render::CameraPose& pose);
+    /// Frames the whole surface as seen from a direction.
+    /// \param yaw, pitch  degrees; 0, 0 looks along -z, a positive pitch from above
+    /// \param closeness   1 frames all; 2 is twice as near
+    void lookFrom(double yaw, double pitch, double closeness = 1.0);
+
+    /// Where a point of the surface is seen, in the widget's own pixels; nothing when it is outside
+    /// the picture or behind other faces.
+    std::optional<QPointF> widgetPosition(const SurfacePoint& point) const;
+    /// The point of the surface seen at a position of the widget.
+    std::optional<SurfacePoint> surfacePointAt(QPointF position) const;
+
+    /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
+    /// `grabFramebuffer` is complete.
+    void settle();
+    /// Whether the view can draw: OpenGL is there and the widget has been shown.
+    bool canDraw() const;
+    /// The picture as shown, in device pixels; null where the view cannot draw.
+    QImage grabFramebuffer();
+
 signals:
     /// Nothing when the pointer is off the surface.
     void hovered(const std::optional<trixel::ui::HoveredTexel>& texel);
@@ -50,6 +72,16 @@ signals:
     void colorPicked(const std::array<float, 4>& color);
     /// One sentence for the status bar (OpenGL not available, texels shown reduced, …).
     void notice(const QString& sentence);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     class Private;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/canvas.h"
+
+#include <QOpenGLContext>
+
+#include <utility>
+
+namespace trixel::ui {
+
+Canvas::Canvas(const QSurfaceFormat& format, Hooks hooks, QWidget* parent)
+    : QOpenGLWidget(parent)
+    , m_hooks(std::move(hooks))
+{
+    setFormat(format);
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(tr("Picture"));
+}
+
+Canvas::~Canvas()
+{
+    endContext();
+}
+
+void Canvas::initializeGL()
+{
+    // Moving to another window or a driver's reset ends the context; a new one follows.
+    connect(context(),
+            &QOpenGLContext::aboutToBeDestroyed,
+            this,
+            &Canvas::endContext,
+            Qt::DirectConnection);
+    m_hooks.contextMade();
+}
+
+void Canvas::endContext()
+{
+    if (isValid()) {
+        makeCurrent();
+        m_hooks.contextEnds();
+        doneCurrent();
+    }
+}
+
+void Canvas::paintGL()
+{
+    m_hooks.draw();
+}
+
+} // namespace trixel::ui

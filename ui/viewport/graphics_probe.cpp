@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/graphics_probe.h"
+
+#include <QByteArray>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include <algorithm>
+#include <array>
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr int kSamples = 4;
+
+QSurfaceFormat plainFormat()
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(4, 1);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    return format;
+}
+
+std::optional<QSurfaceFormat> probe()
+{
+    QSurfaceFormat format = plainFormat();
+    QOffscreenSurface surface;
+    surface.setFormat(format);
+    surface.create();
+    QOpenGLContext context;
+    context.setFormat(format);
+    if (!context.create() || !context.makeCurrent(&surface)) {
+        return std::nullopt;
+    }
+    const bool recent = context.format().version() >= format.version();
+    const auto* text = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    const QByteArray name = QByteArray(text).toLower();
+    context.doneCurrent();
+    constexpr std::array kSoftware{"llvmpipe", "softpipe", "swrast", "software", "swiftshader"};
+    const bool software =
+        std::ranges::any_of(kSoftware, [&](const char* part) { return name.contains(part); });
+    format.setSamples(software ? 0 : kSamples);
+    return recent ? std::optional(format) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<QSurfaceFormat> usableFormat()
+{
+    static const std::optional<QSurfaceFormat> kFormat = probe();
+    return kFormat;
+}
+
+} // namespace trixel::ui

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/surface.h"
+#include "core/paint/brush.h"
+#include "render/overlay_pass.h"
+#include "ui/viewport/hovered_texel.h"
+
+#include <vector>
+
+namespace trixel::ui {
+
+/// A pixel's footprint is a pixel large on the screen: it is drawn so many times larger.
+inline constexpr double kFootprintMagnification = 24.0;
+
+/// The brush's reach around a point and, where it is not hard, the part painted at full strength;
+/// both are drawn onto the surface nearby.
+std::vector<render::Polyline>
+brushRing(const Surface& surface, const SurfacePoint& point, const Brush& brush);
+
+/// Parallelogram and ellipse of a footprint in the plane of its face, magnified.
+std::vector<render::Polyline> footprintLines(const TriangleMesh& mesh, const HoveredTexel& texel);
+
+/// The edges of the hovered texel.
+render::Polyline texelOutline(const TriangleMesh& mesh, const HoveredTexel& texel);
+
+} // namespace trixel::ui

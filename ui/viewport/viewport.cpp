@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/viewport.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include "ui/viewport/viewport_private.h"
+
+#include <glm/common.hpp>
+#include <numbers>
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+template <class Event>
+PointerEvent pointerEvent(const Event& event, glm::dvec2 position)
+{
+    PointerEvent result;
+    result.sample.position = position;
+    result.sample.time = static_cast<double>(event.timestamp()) / 1000.0;
+    result.button = event.button();
+    result.modifiers = event.modifiers();
+    return result;
+}
+
+/// Whether a pen made this mouse event: its tablet event has been used already.
+bool isEchoOfPen(const QMouseEvent& event)
+{
+    return event.pointerType() == QPointingDevice::PointerType::Pen ||
+           event.pointerType() == QPointingDevice::PointerType::Eraser;
+}
+
+} // namespace
+
+Viewport::Private::Private(Viewport& viewport, Document& theDocument, ViewSettings& theSettings)
+    : q(viewport)
+    , document(theDocument)
+    , settings(theSettings)
+    , shownView(theSettings.view())
+    , stroke(theDocument)
+{
+}
+
+Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(*this, document, settings))
+{
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::CrossCursor);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("3D view"));
+    setAccessibleDescription(tr("Shows the surface and its texels; paints on them"));
+    connect(&document, &Document::opened, this, [this] { d->takeSurface(); });
+    connect(&document, &Document::changed, this, [this](const Change& c) { d->takeChange(c); });
+    connect(&settings, &ViewSettings::viewChanged, this, [this] { d->takeView(); });
+    connect(&settings, &ViewSettings::brushChanged, this, [this] { d->redraw(); });
+    connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
+    connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
+    d->makeCanvas();
+    if (document.isOpen()) {
+        d->takeSurface();
+    }
+}
+
+Viewport::~Viewport()
+{
+    d->normalsWatcher.disconnect(this);
+    delete d->canvas; // while what it draws with is still there
+}
+
+void Viewport::frameAll()
+{
+    if (d->shownSurface) {
+        d->camera.frame(d->shownSurface->low(), d->shownSurface->high());
+    }
+    d->cameraMoved();
+}
+
+void Viewport::frameHovered()
+{
+    if (!d->hoveredTexel) {
+        frameAll();
+        return;
+    }
+    const TriangleMesh& mesh = d->shownSurface->mesh();
+    const Adjacency& adjacency = d->shownSurface->adjacency();
+    const FaceId face = d->hoveredTexel->point.face;
+    glm::vec3 low = d->hoveredTexel->point.position;
+    glm::vec3 high = low;
+    const auto include = [&](FaceId included) {
+        for (const glm::vec3& corner : mesh.corners(included)) {
+            low = glm::min(low, corner);
+            high = glm::max(high, corner);
+        }
+    };
+    include(face);
+    for (const LocalEdge edge : kLocalEdges) {
+        if (const auto next = adjacency.neighbour(face, edge)) {
+            include(next->face);
+        }
+    }
+    d->camera.frame(low, high);
+    d->cameraMoved();
+}
+
+const render::Camera& Viewport::camera() const
+{
+    return d->camera;
+}
+
+void Viewport::setCamera(const render::CameraPose& pose)
+{
+    d->camera.setPose(pose);
+    d->cameraMoved();
+}
+
+void Viewport::lookFrom(double yaw, double pitch, double closeness)
+{
+    render::CameraPose pose = d->camera.pose();
+    pose.yaw = yaw * kDegree;
+    pose.pitch = pitch * kDegree;
+    d->camera.setPose(pose);
+    frameAll();
+    if (closeness > 0) {
+        d->camera.zoom(1 / closeness);
+    }
+    d->cameraMoved();
+}
+
+std::optional<QPointF> Viewport::widgetPosition(const SurfacePoint& point) const
+{
+    const auto position = d->camera.project(point.position);
+    if (!d->shownSurface || !position) {
+        return std::nullopt;
+    }
+    const double ratio = devicePixelRatioF();
+    const QPointF inWidget(position->x / ratio, position->y / ratio);
+    const auto seen = d->hit(*position);
+    // Nearer by more than rounding is in front.
+    const glm::dvec3 eye = d->camera.eye();
+    const double distance = glm::length(glm::dvec3(point.position) - eye);
+    const bool hidden =
+        seen && glm::length(glm::dvec3(seen->position) - eye) < distance * (1 - 1e-4);
+    return hidden || !QRectF(rect()).contains(inWidget) ? std::nullopt : std::optional(inWidget);
+}
+
+std::optional<SurfacePoint> Viewport::surfacePointAt(QPointF position) const
+{
+    return d->hit(d->devicePosition(position));
+}
+
+bool Viewport::canDraw() const
+{
+    return d->canvas && d->canvas->isValid() && d->renderer;
+}
+
+QImage Viewport::grabFramebuffer()
+{
+    return canDraw() ? d->canvas->grabFramebuffer() : QImage();
+}
+
+void Viewport::settle()
+{
+    d->waitForNormals();
+    if (!canDraw()) {
+        return;
+    }
+    d->canvas->makeCurrent();
+    d->sendMesh();
+    d->sendTexels(0);
+    d->canvas->doneCurrent();
+    d->redraw();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    d->fitCamera();
+    for (QWidget* whole : {static_cast<QWidget*>(d->canvas), static_cast<QWidget*>(d->message)}) {
+        if (whole) {
+            whole->setGeometry(rect());
+        }
+    }
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    if (!d->penStroke && !isEchoOfPen(*event)) {
+        d->press(pointerEvent(*event, d->devicePosition(event->position())));
+    }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!d->penStroke && !isEchoOfPen(*event)) {
+        d->move(pointerEvent(*event, d->devicePosition(event->position())));
+    }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (!d->penStroke && !isEchoOfPen(*event)) {
+        d->release(pointerEvent(*event, d->devicePosition(event->position())));
+    }
+}
+
+void Viewport::tabletEvent(QTabletEvent* event)
+{
+    PointerEvent pointer = pointerEvent(*event, d->devicePosition(event->position()));
+    pointer.sample.pressure = static_cast<float>(event->pressure());
+    pointer.eraserEnd = event->pointerType() == QPointingDevice::PointerType::Eraser;
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        setFocus(Qt::MouseFocusReason);
+        d->penStroke = true;
+        d->press(pointer);
+        break;
+    case QEvent::TabletMove:
+        d->move(pointer);
+        break;
+    case QEvent::TabletRelease:
+        d->release(pointer);
+        d->penStroke = event->buttons() != Qt::NoButton;
+        break;
+    default:
+        break;
+    }
+    event->accept(); // no mouse events are made from it
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    constexpr double kUnitsPerNotch = 120.0;
+    if (d->interaction != Interaction::Stroke && d->shownSurface) {
+        const glm::dvec2 position = d->devicePosition(event->position());
+        d->pointer = position;
+        wheelCamera(d->camera, event->angleDelta().y() / kUnitsPerNotch, position);
+        d->cameraMoved();
+    }
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && d->cancel()) {
+        event->accept();
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    if (d->interaction == Interaction::None) {
+        d->leave();
+    }
+}
+
+} // namespace trixel::ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/viewport_private.h"
+
+namespace trixel::ui {
+
+namespace {
+
+bool isInside(glm::dvec2 position, glm::ivec2 size)
+{
+    return position.x >= 0 && position.y >= 0 && position.x < size.x && position.y < size.y;
+}
+
+/// The ray through the middle of the device pixel at a position.
+PixelRay rayAt(const render::Camera& camera, glm::dvec2 position)
+{
+    return camera.pixelRay(glm::floor(position) + 0.5);
+}
+
+} // namespace
+
+glm::dvec2 Viewport::Private::devicePosition(QPointF position) const
+{
+    const double ratio = q.devicePixelRatioF();
+    return {position.x() * ratio, position.y() * ratio};
+}
+
+std::optional<SurfacePoint> Viewport::Private::hit(glm::dvec2 position) const
+{
+    if (!shownSurface) {
+        return std::nullopt;
+    }
+    const PixelRay ray = camera.pixelRay(position);
+    return shownSurface->bvh().raycast({glm::vec3(ray.origin), glm::vec3(ray.direction)});
+}
+
+void Viewport::Private::hoverAt(glm::dvec2 position)
+{
+    pointer = position;
+    refreshHover();
+}
+
+void Viewport::Private::refreshHover()
+{
+    const bool hadTexel = hoveredTexel.has_value();
+    hoveredTexel.reset();
+    const auto point =
+        pointer && isInside(*pointer, camera.viewport()) ? hit(*pointer) : std::nullopt;
+    if (point) {
+        hoveredTexel = describeTexel(shownSurface->mesh(),
+                                     document.texels(),
+                                     shownTexels,
+                                     *point,
+                                     rayAt(camera, *pointer),
+                                     shownView.mipDrop);
+    }
+    if (hoveredTexel || hadTexel) {
+        emit q.hovered(hoveredTexel);
+        redraw();
+    }
+}
+
+void Viewport::Private::leave()
+{
+    pointer.reset();
+    refreshHover();
+}
+
+void Viewport::Private::cameraMoved()
+{
+    refreshHover();
+    redraw();
+}
+
+std::vector<render::Polyline> Viewport::Private::overlays() const
+{
+    std::vector<render::Polyline> lines;
+    if (!shownSurface || interaction == Interaction::Camera) {
+        return lines;
+    }
+    const TriangleMesh& mesh = shownSurface->mesh();
+    const bool idle = interaction == Interaction::None;
+    if (hoveredTexel && shownView.footprint && idle) {
+        lines = footprintLines(mesh, *hoveredTexel);
+    }
+    const bool paints = settings.tool() == Tool::Brush || settings.tool() == Tool::Eraser;
+    if (hoveredTexel && (!paints || shownView.texelGrid) && idle) {
+        lines.push_back(texelOutline(mesh, *hoveredTexel));
+    }
+    const auto ringPoint = brushDragPoint ? brushDragPoint
+                           : hoveredTexel ? std::optional(hoveredTexel->point)
+                                          : std::nullopt;
+    if (ringPoint && paints) {
+        for (render::Polyline& line : brushRing(*shownSurface, *ringPoint, settings.brush())) {
+            lines.push_back(std::move(line));
+        }
+    }
+    return lines;
+}
+
+} // namespace trixel::ui

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QLabel>
+
+#include "render/renderer.h"
+#include "ui/document/document.h"
+#include "ui/viewport/canvas.h"
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/stroke_input.h"
+#include "ui/viewport/surface_lines.h"
+#include "ui/viewport/view_settings.h"
+#include "ui/viewport/viewport.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace trixel::ui {
+
+/// What the pointer holds down.
+enum class Interaction { None, Stroke, Pick, Camera, BrushDrag };
+
+/// A press, move or release of mouse or pen.
+struct PointerEvent
+{
+    PointerSample sample;
+    Qt::MouseButton button = Qt::NoButton;
+    Qt::KeyboardModifiers modifiers;
+    bool eraserEnd = false;
+};
+
+/// The viewport's state; its functions are grouped by file.
+class Viewport::Private
+{
+public:
+    Private(Viewport& viewport, Document& document, ViewSettings& settings);
+
+    // viewport_scene.cpp: what is shown
+    void takeSurface();
+    void takeChange(const Change& change);
+    void takeView();
+    void makeCanvas();
+    void makeRenderer();
+    void draw();
+    void redraw();
+    void fitCamera();
+    void sendMesh();
+    void sendTexels(double milliseconds);
+    void normalsReady();
+    void waitForNormals();
+    render::Scene scene() const;
+    void paintHint();
+    void explainNoOpenGl(const QString& reason);
+
+    // viewport_hover.cpp: what is under the pointer
+    glm::dvec2 devicePosition(QPointF position) const;
+    std::optional<SurfacePoint> hit(glm::dvec2 position) const;
+    void hoverAt(glm::dvec2 position);
+    void refreshHover();
+    void leave();
+    std::vector<render::Polyline> overlays() const;
+    void cameraMoved();
+
+    // viewport_tools.cpp: what the pointer does
+    void press(const PointerEvent& event);
+    void move(const PointerEvent& event);
+    void release(const PointerEvent& event);
+    bool cancel();
+
+    Viewport& q;
+    Document& document;
+    ViewSettings& settings;
+
+    Canvas* canvas = nullptr; ///< none where there is no OpenGL; a child of the viewport
+    render::Camera camera;
+    std::unique_ptr<render::Renderer> renderer;
+    bool meshDirty = true;
+    bool texelsDirty = true;
+    std::shared_ptr<const Surface> shownSurface;
+    ViewOptions shownView;
+    QFutureWatcher<std::vector<std::uint32_t>> normalsWatcher;
+    std::vector<std::uint32_t> normals; ///< empty until they are made
+    QLabel* message = nullptr;          ///< in the view's place when it cannot draw
+
+    std::optional<glm::dvec2> pointer; ///< last position over the view
+    std::optional<HoveredTexel> hoveredTexel;
+    ShownTexels shownTexels;
+
+    Interaction interaction = Interaction::None;
+    Qt::MouseButton heldButton = Qt::NoButton;
+    CameraDrag cameraDrag = CameraDrag::Orbit;
+    glm::dvec2 pressPosition{0};
+    glm::dvec2 lastPosition{0};
+    std::optional<SurfacePoint> brushDragPoint; ///< where the ring stays meanwhile
+    StrokeInput stroke;
+    bool penStroke = false; ///< the pen is down: mouse events are its echo
+
+private:
+    void beginStroke(const PointerEvent& event);
+    void straightLine(const PointerEvent& event);
+    void addToStroke(const PointerSample& sample);
+    void fillAt(glm::dvec2 position);
+    void pickAt(glm::dvec2 position);
+    void dragBrush(glm::dvec2 pixels);
+};
+
+} // namespace trixel::ui

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QElapsedTimer>
+#include <QLoggingCategory>
+#include <QPainter>
+#include <QtConcurrent>
+
+#include "render/corner_normals.h"
+#include "ui/viewport/graphics_probe.h"
+#include "ui/viewport/viewport_private.h"
+
+#include <utility>
+
+namespace trixel::ui {
+
+namespace {
+
+Q_LOGGING_CATEGORY(lcViewport, "ui.viewport", QtInfoMsg)
+
+/// Part of a frame that may go into sending texels.
+constexpr double kUploadMs = 4.0;
+/// Texels converted and sent at a time; between two the clock is looked at.
+constexpr std::size_t kSliceBytes = 512U << 10U;
+
+} // namespace
+
+void Viewport::Private::takeSurface()
+{
+    stroke.cancel();
+    stroke.forgetLastPoint();
+    interaction = Interaction::None;
+    shownTexels.forget();
+    meshDirty = true;
+    texelsDirty = true;
+    normals.clear();
+    shownSurface = document.surface();
+    hoveredTexel.reset();
+    emit q.hovered(std::nullopt);
+    if (shownSurface) {
+        camera.setScene(shownSurface->low(), shownSurface->high());
+        normalsWatcher.setFuture(QtConcurrent::run(
+            [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
+    }
+    q.frameAll();
+}
+
+void Viewport::Private::takeChange(const Change& change)
+{
+    shownTexels.forget();
+    if (renderer && !texelsDirty) {
+        if (change.rects.empty()) {
+            renderer->touchAllTexels();
+        } else {
+            renderer->touchTexels(document.texels(), change.rects);
+        }
+    }
+    if (interaction == Interaction::None) {
+        refreshHover(); // under a pointer that moves it follows by itself
+    }
+    redraw();
+}
+
+void Viewport::Private::takeView()
+{
+    if (settings.view().mipDrop != shownView.mipDrop) {
+        texelsDirty = true;
+        shownTexels.forget();
+    }
+    shownView = settings.view();
+    refreshHover();
+    redraw();
+}
+
+void Viewport::Private::makeCanvas()
+{
+    const auto format = usableFormat();
+    if (!format) {
+        explainNoOpenGl({});
+        return;
+    }
+    canvas =
+        new Canvas(*format,
+                   {[this] { makeRenderer(); }, [this] { renderer.reset(); }, [this] { draw(); }},
+                   &q);
+}
+
+void Viewport::Private::makeRenderer()
+{
+    auto made = render::Renderer::create();
+    if (!made) {
+        explainNoOpenGl(QString::fromStdString(made.error().message));
+        return;
+    }
+    renderer = std::move(*made);
+    meshDirty = true;
+    texelsDirty = true;
+}
+
+/// One frame; the context is current.
+void Viewport::Private::draw()
+{
+    if (!renderer) {
+        return;
+    }
+    fitCamera(); // the window may have come to a screen of another density
+    sendMesh();
+    sendTexels(kUploadMs);
+    renderer->draw(scene());
+    if (!shownSurface) {
+        paintHint();
+    }
+}
+
+void Viewport::Private::redraw()
+{
+    if (canvas) {
+        canvas->update(); // several of these make one frame
+    }
+}
+
+void Viewport::Private::fitCamera()
+{
+    const double ratio = q.devicePixelRatioF();
+    camera.setViewport(qRound(q.width() * ratio), qRound(q.height() * ratio));
+}
+
+void Viewport::Private::sendMesh()
+{
+    if (!std::exchange(meshDirty, false)) {
+        return;
+    }
+    texelsDirty = true;
+    if (!shownSurface) {
+        renderer->clear();
+        return;
+    }
+    if (const Status sent = renderer->setMesh(shownSurface->mesh()); !sent) {
+        emit q.notice(QString::fromStdString(sent.error().message));
+        shownSurface.reset();
+        return;
+    }
+    if (!normals.empty()) {
+        renderer->setNormals(normals);
+    }
+}
+
+/// Texels that are not on the card yet, for so long; the frames to come send the rest.
+void Viewport::Private::sendTexels(double milliseconds)
+{
+    if (!shownSurface) {
+        return;
+    }
+    const TexelStore& store = document.texels();
+    if (texelsDirty) {
+        texelsDirty = false;
+        renderer->setTexels(store, shownView.mipDrop);
+        if (renderer->texels().isReduced()) {
+            emit q.notice(
+                tr("The graphics card has no room for all texels: they are shown %n level(s) "
+                   "coarser.",
+                   nullptr,
+                   renderer->texels().levelsDropped()));
+        }
+    }
+    QElapsedTimer clock;
+    clock.start();
+    const auto limit = static_cast<qint64>(milliseconds * 1e6);
+    while (renderer->texels().hasWork() && (milliseconds <= 0 || clock.nsecsElapsed() < limit)) {
+        renderer->uploadTexels(store, kSliceBytes);
+    }
+    if (renderer->texels().hasWork()) {
+        QMetaObject::invokeMethod(
+            &q, [this] { redraw(); }, Qt::QueuedConnection);
+    }
+}
+
+void Viewport::Private::normalsReady()
+{
+    std::vector<std::uint32_t> made = normalsWatcher.result();
+    if (!shownSurface || made.size() != 3 * shownSurface->mesh().faceCount()) {
+        return; // of a surface shown before
+    }
+    normals = std::move(made);
+    if (renderer && !meshDirty) {
+        canvas->makeCurrent();
+        renderer->setNormals(normals);
+        canvas->doneCurrent();
+    }
+    redraw();
+}
+
+void Viewport::Private::waitForNormals()
+{
+    if (shownSurface && normals.empty()) {
+        normalsWatcher.waitForFinished();
+        normalsReady();
+    }
+}
+
+render::Scene Viewport::Private::scene() const
+{
+    render::Scene result;
+    result.camera = camera;
+    result.surface.lit = shownView.lit;
+    result.surface.wireframe = shownView.wireframe;
+    result.surface.texelGrid = shownView.texelGrid;
+    result.surface.hasAlpha = document.texels().format().alpha.has_value();
+    result.surface.pixelRatio = static_cast<float>(q.devicePixelRatioF());
+    result.overlays = overlays();
+    return result;
+}
+
+void Viewport::Private::paintHint()
+{
+    QPainter painter(canvas);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont font = q.font();
+    font.setPointSizeF(font.pointSizeF() * 1.4);
+    painter.setFont(font);
+    painter.setPen(QColor(255, 255, 255, 150));
+    painter.drawText(q.rect(), Qt::AlignCenter, tr("Open or drop a mesh"));
+}
+
+void Viewport::Private::explainNoOpenGl(const QString& reason)
+{
+    qCWarning(lcViewport).noquote() << "OpenGL 4.1 is not available." << reason;
+    const QString sentence =
+        tr("The 3D view needs OpenGL 4.1, which this display does not offer. %1").arg(reason);
+    message = new QLabel(sentence, &q);
+    message->setAlignment(Qt::AlignCenter);
+    message->setWordWrap(true);
+    message->setMargin(24);
+    message->setAutoFillBackground(true);
+    message->setGeometry(q.rect());
+    message->show();
+    // Nobody listens yet while the view is being made.
+    QMetaObject::invokeMethod(
+        &q, [this, sentence] { emit q.notice(sentence); }, Qt::QueuedConnection);
+}
+
+} // namespace trixel::ui
