@@ -89,10 +89,13 @@ void addCheck(CLI::App& parser, Work& chosen)
 {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("check", "Look for faults in a mesh, .ptx or project");
-    verb->add_option("FILE", arguments->file, "Mesh, .ptx or .trixel project")->required();
+    verb->add_option("FILE", arguments->file, "Mesh, .ptx or .trixel project")
+        ->required()
+        ->type_name("FILE");
     verb->add_option("--mesh",
                      arguments->mesh,
-                     "Mesh to compare a .ptx with: order and winding of faces, adjacency");
+                     "Mesh to compare a .ptx with: order and winding of faces, adjacency")
+        ->type_name("FILE");
     verb->add_flag("--json", arguments->json, "Print one JSON object");
     verb->footer("Exit status 1 says that faults were found.");
     verb->callback([arguments, &chosen] {

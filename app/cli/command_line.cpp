@@ -57,6 +57,22 @@ std::string verbNames(const CLI::App& parser)
     return names;
 }
 
+void setUp(CLI::App& parser, std::span<const AddVerb> furtherVerbs, Work& chosen)
+{
+    for (const AddVerb add : kVerbs) {
+        add(parser, chosen);
+    }
+    for (const AddVerb add : furtherVerbs) {
+        add(parser, chosen);
+    }
+    for (CLI::App* verb : parser.get_subcommands([](CLI::App*) { return true; })) {
+        verb->group("Verbs");
+    }
+    parser.footer(kFooter); // after the verbs, which would inherit it
+    parser.set_version_flag("--version", "trixel " TRIXEL_VERSION, "Print the version and exit");
+    parser.get_formatter()->label("SUBCOMMAND", "VERB");
+}
+
 using WindowFile = std::optional<std::filesystem::path>;
 
 /// The file that the window is to open; nothing at all where the command line names a verb or an
@@ -160,18 +176,8 @@ int runCommandLine(int argc,
                    const OpenWindow& openWindow)
 {
     CLI::App parser(kDescription, "trixel");
-    parser.footer(kFooter);
-    parser.set_version_flag("--version", "trixel " TRIXEL_VERSION);
-    parser.get_formatter()->label("SUBCOMMAND", "VERB");
-    parser.get_formatter()->label("Subcommands", "Verbs");
     Work chosen;
-    for (const AddVerb add : kVerbs) {
-        add(parser, chosen);
-    }
-    for (const AddVerb add : furtherVerbs) {
-        add(parser, chosen);
-    }
-
+    setUp(parser, furtherVerbs, chosen);
     if (const auto file = windowFile(parser, argc, argv)) {
         return *file ? showWindow(**file, openWindow) : reportError(file->error());
     }

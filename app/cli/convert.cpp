@@ -46,9 +46,12 @@ void addConvert(CLI::App& parser, Work& chosen)
 {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("convert", "Rewrite a .ptx");
-    verb->add_option("IN", arguments->input, "File to read (.ptx)")->required();
-    verb->add_option("OUT", arguments->output, "File to write (.ptx)")->required();
-    verb->add_option("--type", arguments->type, "uint8, uint16, half or float; else as it is");
+    verb->add_option("IN", arguments->input, "File to read (.ptx)")->required()->type_name("FILE");
+    verb->add_option("OUT", arguments->output, "File to write (.ptx)")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--type", arguments->type, "uint8, uint16, half or float; else as it is")
+        ->type_name("TYPE");
     verb->add_flag("--no-mips", arguments->noMips, "Store full resolution only");
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return convert(*arguments, progress); };

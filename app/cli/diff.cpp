@@ -120,8 +120,8 @@ void addDiff(CLI::App& parser, Work& chosen)
 {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("diff", "Compare two .ptx face by face");
-    verb->add_option("A", arguments->a, "A .ptx")->required();
-    verb->add_option("B", arguments->b, "Another .ptx")->required();
+    verb->add_option("A", arguments->a, "A .ptx")->required()->type_name("FILE");
+    verb->add_option("B", arguments->b, "Another .ptx")->required()->type_name("FILE");
     verb->add_flag("--json", arguments->json, "Print one JSON object, every face in it");
     verb->footer("Values are compared as numbers: integers stand for [0,1]. Exit status 1 says\n"
                  "that the files differ.");

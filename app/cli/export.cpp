@@ -37,8 +37,11 @@ void addExport(CLI::App& parser, Work& chosen)
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("export", "Write a project as .ptx");
     verb->add_option("PROJECT", arguments->project, "Project, or .ptx that carries its mesh")
-        ->required();
-    verb->add_option("-o,--output", arguments->output, "File to write (.ptx)")->required();
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("-o,--output", arguments->output, "File to write (.ptx)")
+        ->required()
+        ->type_name("FILE");
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return exportProject(*arguments, progress); };
     });

@@ -3,6 +3,7 @@
 
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
+#include "core/io/project_metadata.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/surface.h"
 
@@ -76,6 +77,17 @@ std::string typeOf(const PtxSummary::Item& item)
     return kNames.at(item.type);
 }
 
+/// Vertices of the mesh that the file carries; nothing without one.
+std::optional<std::uint64_t> vertexCount(const PtxSummary& ptx)
+{
+    for (const PtxSummary::Item& item : ptx.metadata) {
+        if (item.key == kVertexPositionsKey) {
+            return item.count / 3;
+        }
+    }
+    return std::nullopt;
+}
+
 /// Bytes of all texels at full resolution, constant faces spread out.
 std::uint64_t fullBytes(const PtxSummary& ptx)
 {
@@ -97,7 +109,9 @@ nlohmann::json jsonOf(const PtxSummary& ptx)
             metadata.back()["text"] = item.text;
         }
     }
-    return {{"type", trixel::nameOf(ptx.format.type)},
+    const auto vertices = vertexCount(ptx);
+    return {{"vertices", vertices ? nlohmann::json(*vertices) : nlohmann::json()},
+            {"type", trixel::nameOf(ptx.format.type)},
             {"channels", ptx.format.channels},
             {"alpha", ptx.format.alpha ? nlohmann::json(*ptx.format.alpha) : nlohmann::json()},
             {"levels", levels},
@@ -143,6 +157,9 @@ void addRows(Table& table, const MeshSummary& mesh)
 void addRows(Table& table, const PtxSummary& ptx)
 {
     const TexelFormat& format = ptx.format;
+    if (const auto vertices = vertexCount(ptx)) {
+        table.row("vertices", grouped(*vertices));
+    }
     table.row("type",
               std::string(trixel::nameOf(format.type)) + ", " +
                   counted(format.channels, "channel") +

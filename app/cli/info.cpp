@@ -37,7 +37,9 @@ void addInfo(CLI::App& parser, Work& chosen)
 {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("info", "Tell what a mesh, .ptx or project holds");
-    verb->add_option("FILE", arguments->file, "Mesh, .ptx or .trixel project")->required();
+    verb->add_option("FILE", arguments->file, "Mesh, .ptx or .trixel project")
+        ->required()
+        ->type_name("FILE");
     verb->add_flag("--json", arguments->json, "Print one JSON object");
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return info(*arguments, progress); };

@@ -123,20 +123,35 @@ void addNew(CLI::App& parser, Work& chosen)
 {
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("new", "Make a project from a mesh");
-    verb->add_option("MESH", arguments->mesh, "Mesh: .obj, .ply, .stl or .off")->required();
-    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")->required();
-    CLI::Option_group* size =
-        verb->add_option_group("Texels, by one of these; else about four million in all");
-    size->add_option("--level", arguments->level, "4^N texels for every face, N from 0 to 12");
-    size->add_option("--density", arguments->density, "Texels along one world unit");
-    size->add_option("--texels", arguments->texels, "Texels in all, at most");
-    size->require_option(0, 1);
+    verb->add_option("MESH", arguments->mesh, "Mesh: .obj, .ply, .stl or .off")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")
+        ->required()
+        ->type_name("FILE");
     verb->add_option("--type", arguments->type, "uint8, uint16, half or float")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("TYPE");
     verb->add_option("--channels", arguments->channels, "Channels of a texel, 1 to 1024")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("N");
     verb->add_option("--fill", arguments->fill, "Colour to start with: one value a channel, or one")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->type_name("V,V,...");
+    CLI::Option* level =
+        verb->add_option("--level", arguments->level, "4^N texels for every face, N from 0 to 12")
+            ->type_name("N");
+    CLI::Option* density =
+        verb->add_option("--density", arguments->density, "Texels along one world unit")
+            ->type_name("N")
+            ->excludes(level);
+    verb->add_option("--texels",
+                     arguments->texels,
+                     "Texels in all, at most; the default, with N "
+                     "about four million")
+        ->type_name("N")
+        ->excludes(level)
+        ->excludes(density);
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return makeNew(*arguments, progress); };
     });

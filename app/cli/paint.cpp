@@ -82,12 +82,18 @@ void addPaint(CLI::App& parser, Work& chosen)
     auto arguments = std::make_shared<Arguments>();
     CLI::App* verb = parser.add_subcommand("paint", "Replay recorded strokes on a project");
     verb->add_option("PROJECT", arguments->project, "Project, or .ptx that carries its mesh")
-        ->required();
-    verb->add_option("--strokes", arguments->strokes, "Stroke file (JSON)")->required();
-    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")->required();
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--strokes", arguments->strokes, "Stroke file (JSON)")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")
+        ->required()
+        ->type_name("FILE");
     verb->add_option("--threads",
                      arguments->threads,
-                     "Threads to use, all cores by default; the result is the same");
+                     "Threads to use, all cores by default; the result is the same")
+        ->type_name("N");
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return paint(*arguments, progress); };
     });
