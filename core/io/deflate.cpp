@@ -20,6 +20,10 @@ Deflater::Deflater(int level)
 
 std::span<const std::byte> Deflater::zip(std::span<const std::byte> bytes)
 {
+    if (!bytes.empty() && bytes.size() <= SmallDeflater::kMaxBytes) {
+        const std::span<std::byte> room = m_zipped.first(SmallDeflater::roomFor(bytes.size()));
+        return room.first(m_small->zip(bytes, room));
+    }
     const std::span<std::byte> room =
         m_zipped.first(libdeflate_zlib_compress_bound(m_state.get(), bytes.size()));
     const std::size_t size = libdeflate_zlib_compress(

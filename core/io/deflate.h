@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/io/buffer.h"
+#include "core/io/small_deflate.h"
 
 #include <cstddef>
 #include <memory>
@@ -11,7 +12,8 @@ struct libdeflate_compressor;
 
 namespace trixel {
 
-/// Zips bytes into zlib streams (RFC 1950). One per thread. Equal bytes give equal streams.
+/// Zips bytes into zlib streams (RFC 1950): short ones by an encoder made for them, others by a
+/// library. One per thread. Equal bytes give equal streams.
 class Deflater
 {
 public:
@@ -30,6 +32,7 @@ private:
         void operator()(libdeflate_compressor* state) const;
     };
     std::unique_ptr<libdeflate_compressor, Free> m_state;
+    std::unique_ptr<SmallDeflater> m_small = std::make_unique<SmallDeflater>();
     Buffer m_zipped;
 };
 

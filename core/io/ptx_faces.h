@@ -47,6 +47,27 @@ struct PtxFaces
     std::vector<PtxFaceInfo> infos;
     std::vector<std::byte> constants; ///< one texel a face: its value or its average
     int levelCount = 1;
+
+    /// Visits the blocks of one level in the order of the file: full resolution by face number,
+    /// reductions from the largest faces to the smallest.
+    template <class Visit>
+    void forEachBlocks(int reduction, Visit visit) const
+    {
+        if (reduction == 0) {
+            for (const PtxChunk& chunk : chunks) {
+                visit(chunk.texels);
+            }
+            return;
+        }
+        const auto wanted = static_cast<std::size_t>(reduction);
+        for (std::size_t level = Level::kMax; level > wanted; --level) {
+            for (const PtxChunk& chunk : chunks) {
+                if (chunk.reductions[level].size() >= wanted) {
+                    visit(chunk.reductions[level][wanted - 1]);
+                }
+            }
+        }
+    }
 };
 
 /// Packs every face, in parallel; the result does not depend on the number of threads. Errors name

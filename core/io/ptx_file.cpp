@@ -219,6 +219,7 @@ Status PtxFile::readLevel(const PtxLevelInfo& info,
     const std::string what = "the table of " + name;
     const std::uint64_t size = std::uint64_t{info.faces} * sizeof(PtxBlockHeader);
     LevelTable& table = m_tables.emplace_back();
+    table.blocksBegin = offset + info.headerBytes;
     if (info.faces == 0) {
         return {};
     }
@@ -299,6 +300,12 @@ std::optional<PtxBlock> PtxFile::block(FaceId face, int reduction) const
         return std::nullopt;
     }
     return PtxBlock{table.offsets[entry], table.headers[entry]};
+}
+
+std::uint64_t PtxFile::blocksBegin(int reduction) const
+{
+    check(reduction >= 0 && reduction < levelCount(), "a stored level");
+    return m_tables[static_cast<std::size_t>(reduction)].blocksBegin;
 }
 
 Result<std::optional<FaceTexels>>

@@ -56,6 +56,9 @@ public:
     /// \param reduction  how often the face was reduced, from 0
     std::optional<PtxBlock> block(FaceId face, int reduction) const;
 
+    /// Where the blocks of a stored level begin, after its table.
+    std::uint64_t blocksBegin(int reduction) const;
+
     /// The face reduced so often, if it is stored; any reduction of a constant face. Nothing
     /// otherwise. May be called from several threads, each with its own decoder.
     Result<std::optional<FaceTexels>> texels(FaceId face, int reduction, PtxDecoder& decoder) const;
@@ -79,6 +82,7 @@ private:
     };
     struct LevelTable
     {
+        std::uint64_t blocksBegin = 0;
         std::vector<PtxBlockHeader> headers; ///< in the order of the level's entries
         std::vector<std::uint64_t> offsets;
     };

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ptx_verify.h"
 
-#include "core/io/ptx_average.h"
-#include "core/io/ptx_faces.h"
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_metadata.h"
 #include "core/mesh/shared_progress.h"
-#include "core/texture/mips.h"
 
 #include <algorithm>
 #include <atomic>
@@ -38,13 +35,13 @@ public:
                        ? std::string()
                        : "has other texels";
         }
-        if (std::string why = readBlock(face, 0); !why.empty()) {
+        if (std::string why = readBlock(face); !why.empty()) {
             return why;
         }
         if (!std::ranges::equal(m_decoder.texels.first(byteCount(meant.level())), meant.bytes())) {
             return "has other texels";
         }
-        return m_file.levelCount() > 1 ? faultOfReductions(face, meant) : std::string();
+        return {};
     }
 
 private:
@@ -53,45 +50,18 @@ private:
         return level.texelCount() * m_meant.format().texelBytes();
     }
 
-    std::string readBlock(FaceId face, int reduction)
+    std::string readBlock(FaceId face)
     {
-        const auto why = m_file.decode(face, reduction, m_decoder);
+        const auto why = m_file.decode(face, 0, m_decoder);
         if (!why) {
             return why.error().message;
         }
         return *why ? std::string() : "lacks its texels";
     }
 
-    std::string faultOfReductions(FaceId face, const FaceTexels& meant)
-    {
-        std::span<const std::byte> finer = meant.bytes();
-        if (m_meant.format().alpha) {
-            const std::span<std::byte> premultiplied = m_premultiplied.first(finer.size());
-            std::ranges::copy(finer, premultiplied.begin());
-            premultiply(m_meant.format(), premultiplied);
-            finer = premultiplied;
-        }
-        for (int k = 1; k <= ptxReductions(meant.level()); ++k) {
-            const Level level = meant.level().coarser(k);
-            const auto coarser =
-                m_reductions[static_cast<std::size_t>(k % 2)].first(byteCount(level));
-            reduceTexels(m_meant.format(), meant.level().coarser(k - 1), finer, coarser);
-            if (std::string why = readBlock(face, k); !why.empty()) {
-                return why;
-            }
-            if (!std::ranges::equal(m_decoder.texels.first(coarser.size()), coarser)) {
-                return "has other texels when reduced " + std::to_string(k) + " times";
-            }
-            finer = coarser;
-        }
-        return {};
-    }
-
     const PtxFile& m_file;
     const TexelStore& m_meant;
     PtxDecoder m_decoder;
-    Buffer m_premultiplied;
-    std::array<Buffer, 2> m_reductions;
 };
 
 // The order may differ: a .ptx keeps large items after the small ones.
@@ -176,12 +146,46 @@ verifyFaces(const PtxFile& file, const TexelStore& meant, Threads threads, Progr
     return shared.goesOn() ? Status() : Status(cancelled());
 }
 
+// The blocks of one reduction follow its table in the order in which they were packed.
+Status verifyReduction(const PtxFile& file, const PtxFaces& packed, int reduction, Buffer& scratch)
+{
+    std::uint64_t offset = file.blocksBegin(reduction);
+    Status status;
+    packed.forEachBlocks(reduction, [&](const PtxBlocks& blocks) {
+        if (!status) {
+            return;
+        }
+        const auto written = file.source().view(offset, blocks.bytes.size(), scratch);
+        if (!written) {
+            status = tl::unexpected(written.error());
+        } else if (!std::ranges::equal(*written, blocks.bytes)) {
+            status = contentsError("the faces reduced " + std::to_string(reduction) +
+                                   " times differ near byte " + std::to_string(offset));
+        }
+        offset += blocks.bytes.size();
+    });
+    return status;
+}
+
+Status verifyReductions(const PtxFile& file, const PtxFaces& packed)
+{
+    if (file.levelCount() != packed.levelCount) {
+        return contentsError("the number of levels differs");
+    }
+    Buffer scratch;
+    for (int reduction = 1; reduction < packed.levelCount; ++reduction) {
+        if (Status status = verifyReduction(file, packed, reduction, scratch); !status) {
+            return status;
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Status verifyPtx(const std::filesystem::path& written,
                  const PtxContents& contents,
-                 std::span<const PtxFaceInfo> infos,
-                 std::span<const std::byte> constants,
+                 const PtxFaces& packed,
                  Threads threads,
                  Progress& progress)
 {
@@ -194,9 +198,9 @@ Status verifyPtx(const std::filesystem::path& written,
     if (!file) {
         return tl::unexpected(file.error());
     }
-    return verifyStructure(*file, contents, infos, constants).and_then([&] {
-        return verifyFaces(*file, contents.texels, threads, progress);
-    });
+    return verifyStructure(*file, contents, packed.infos, packed.constants)
+        .and_then([&] { return verifyReductions(*file, packed); })
+        .and_then([&] { return verifyFaces(*file, contents.texels, threads, progress); });
 }
 
 } // namespace trixel

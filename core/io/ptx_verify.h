@@ -5,20 +5,19 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/ptx.h"
-#include "core/io/ptx_layout.h"
+#include "core/io/ptx_faces.h"
 
 #include <filesystem>
-#include <span>
 
 namespace trixel {
 
 /// Reads a file that was just written and compares it with what was meant: the infos of all faces,
-/// constant values and averages, every texel of full resolution, every reduction against the texels
-/// it is made from, and the metadata. The error names the first face or item that differs.
+/// constant values and averages, every texel of full resolution, the blocks of the reductions byte
+/// for byte, and the metadata. The error names the first face or item that differs.
+/// \param packed  what was written; the blocks of full resolution are not looked at
 Status verifyPtx(const std::filesystem::path& written,
                  const PtxContents& contents,
-                 std::span<const PtxFaceInfo> infos,
-                 std::span<const std::byte> constants,
+                 const PtxFaces& packed,
                  Threads threads,
                  Progress& progress);
 

@@ -43,30 +43,11 @@ Bytes zipped(std::span<const std::byte> bytes, int level = Deflater::kDefaultLev
     return {stream.begin(), stream.end()};
 }
 
-// Visits the blocks of one level in the order of the file.
-template <class Visit>
-void forEachBlocks(const PtxFaces& faces, int reduction, Visit visit)
-{
-    if (reduction == 0) {
-        for (const PtxChunk& chunk : faces.chunks) {
-            visit(chunk.texels);
-        }
-        return;
-    }
-    for (std::size_t level = Level::kMax; level > static_cast<std::size_t>(reduction); --level) {
-        for (const PtxChunk& chunk : faces.chunks) {
-            if (chunk.reductions[level].size() >= static_cast<std::size_t>(reduction)) {
-                visit(chunk.reductions[level][static_cast<std::size_t>(reduction) - 1]);
-            }
-        }
-    }
-}
-
 void packLevel(const PtxFaces& faces, int reduction, Tables& tables)
 {
     std::vector<PtxBlockHeader> headers;
     std::uint64_t bytes = 0;
-    forEachBlocks(faces, reduction, [&](const PtxBlocks& blocks) {
+    faces.forEachBlocks(reduction, [&](const PtxBlocks& blocks) {
         headers.insert(headers.end(), blocks.headers.begin(), blocks.headers.end());
         bytes += blocks.bytes.size();
     });
@@ -183,7 +164,7 @@ Status writeParts(FileWriter& file, const Tables& tables, const PtxFaces& faces,
     out.write(std::as_bytes(std::span(tables.levels)));
     for (int reduction = 0; reduction < faces.levelCount; ++reduction) {
         out.write(tables.levelHeaders[static_cast<std::size_t>(reduction)]);
-        forEachBlocks(faces, reduction, [&](const PtxBlocks& blocks) { out.write(blocks.bytes); });
+        faces.forEachBlocks(reduction, [&](const PtxBlocks& blocks) { out.write(blocks.bytes); });
         if (out.status() &&
             !progress.report(static_cast<double>(reduction + 1) / faces.levelCount)) {
             return cancelled();
@@ -243,13 +224,14 @@ Status writePtx(const std::filesystem::path& path,
         const Tables tables = packTables(*faces, contents, options.threads);
         StageProgress writing(progress, 0.5, 0.6);
         const Status status = writeParts(file, tables, *faces, writing);
-        faces->chunks = {}; // not needed to verify
+        for (PtxChunk& chunk : faces->chunks) {
+            chunk.texels = {}; // verified by their texels
+        }
         return status;
     };
     const auto verify = [&](const std::filesystem::path& written) {
         StageProgress verifying(progress, 0.6, 1);
-        return verifyPtx(
-            written, contents, faces->infos, faces->constants, options.threads, verifying);
+        return verifyPtx(written, contents, *faces, options.threads, verifying);
     };
     return commitFile(path, write, verify);
 }
