@@ -242,7 +242,7 @@ TEST(EllipseOf, halfAxesAreSquareRootsOfTheEigenvaluesOfTheCovariance)
 
 TEST(EllipseOf, theMinorAxisKeepsItsDigitsForNearlyParallelVectors)
 {
-    for (double angle = 1; angle >= 1e-6; angle /= 10) {
+    for (double angle = 1; angle >= 1e-12; angle /= 10) {
         const Footprint f{{1, 0}, {std::cos(angle), std::sin(angle)}};
         const FootprintEllipse e = ellipseOf(f, kRight);
         const long double trace = 0.5L;
