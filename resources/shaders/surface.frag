@@ -37,13 +37,32 @@ int texelIndex(vec2 p, int resolution)
                  : cell.x + cell.y * resolution;
 }
 
+vec4 texelAt(vec2 p, int resolution)
+{
+    return clamp(texelFetch(texels, int(record.x) + texelIndex(p, resolution)), 0.0, 1.0);
+}
+
+// The texel under the pixel; where a pixel spans several, the mean of four places within it, which
+// calms what a single one would let flicker.
 vec4 texelColor(int resolution)
 {
     if ((record.y & kPending) != 0u) {
         return vec4(kPendingColor, 1.0);
     }
-    int index = (record.y & kConstant) != 0u ? 0 : texelIndex(uv * float(resolution), resolution);
-    return clamp(texelFetch(texels, int(record.x) + index), 0.0, 1.0);
+    if ((record.y & kConstant) != 0u) {
+        return clamp(texelFetch(texels, int(record.x)), 0.0, 1.0);
+    }
+    vec2 p = uv * float(resolution);
+    vec2 alongX = dFdx(p);
+    vec2 alongY = dFdy(p);
+    if (max(dot(alongX, alongX), dot(alongY, alongY)) < 1.0) {
+        return texelAt(p, resolution);
+    }
+    vec2 a = 0.125 * alongX + 0.375 * alongY;
+    vec2 b = 0.375 * alongX - 0.125 * alongY;
+    return 0.25
+           * (texelAt(p + a, resolution) + texelAt(p - a, resolution) + texelAt(p + b, resolution)
+              + texelAt(p - b, resolution));
 }
 
 // A screen-fixed checker behind what is not opaque.
@@ -77,15 +96,16 @@ vec3 shadingNormal()
                : normal;
 }
 
-// How much of a line of the given half width covers this pixel; x are distances in units in which
-// lines stand 1 apart, perPixel their change from pixel to pixel.
+// How much of a line of the given half width covers this pixel. Three families of lines, each
+// standing 1 apart in its own unit; x are the distances to the nearest of each, perPixel their
+// change from pixel to pixel.
 float coverage(vec3 x, vec3 perPixel, float halfWidth)
 {
-    vec3 pixels = x / max(perPixel, vec3(1e-9));
-    vec3 inside = clamp(halfWidth + 0.5 - pixels, 0.0, 1.0);
-    float apart = 1.0 / max(max(perPixel.x, max(perPixel.y, perPixel.z)), 1e-9);
-    float visible = smoothstep(kFadeFrom * lineWidth, kFadeTo * lineWidth, apart);
-    return visible * max(inside.x, max(inside.y, inside.z));
+    vec3 perStep = max(perPixel, vec3(1e-9));
+    vec3 inside = clamp(halfWidth + 0.5 - x / perStep, 0.0, 1.0);
+    vec3 visible = smoothstep(vec3(kFadeFrom), vec3(kFadeTo), 1.0 / (perStep * lineWidth));
+    vec3 covered = inside * visible;
+    return max(covered.x, max(covered.y, covered.z));
 }
 
 void main()

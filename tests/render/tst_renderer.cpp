@@ -8,7 +8,7 @@
 #include "render/corner_normals.h"
 #include "tests/render/offscreen.h"
 
-#include <limits>
+#include <cmath>
 #include <random>
 
 using namespace trixel;
@@ -153,6 +153,109 @@ private slots:
             storeOf(format, randomFace(format, levelA, 1), randomFace(format, levelB, 2));
         show(store);
         QCOMPARE(wrongTexels(picture(), m_mesh, store), 0);
+    }
+
+    void everyPixelShowsTheTexelItsCentreLiesIn()
+    {
+        const TexelFormat format;
+        const TexelStore store =
+            storeOf(format, randomFace(format, 5, 1), randomFace(format, 3, 2));
+        show(store);
+        const QImage image = picture();
+        const Camera camera = facing();
+        int compared = 0;
+        for (std::size_t f = 0; f < 2; ++f) {
+            const auto c = m_mesh.corners(faceId(f));
+            const FaceTexels& face = store.face(faceId(f));
+            const double resolution = face.level().resolution();
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    const PixelRay ray = camera.pixelRay({x + 0.5, y + 0.5});
+                    const glm::dvec3 at =
+                        ray.origin - ray.direction * (ray.origin.z / ray.direction.z);
+                    // The faces are axis-aligned right triangles.
+                    const double u = (at.x - c[0].x) / (c[1].x - c[0].x);
+                    const double v = (at.y - c[0].y) / (c[2].y - c[0].y);
+                    const auto offLine = [&](double t) {
+                        return std::abs(t * resolution - std::round(t * resolution)) > 1e-3;
+                    };
+                    if (u < 0 || v < 0 || u + v > 1 || !offLine(u) || !offLine(v) ||
+                        !offLine(u + v)) {
+                        continue;
+                    }
+                    ++compared;
+                    const TexelIndex t =
+                        texelIndex(face.level(), texelAt(face.level(), glm::dvec2(u, v)));
+                    QVERIFY(
+                        alike(image.pixelColor(x, y), shownColor(format, face.texel(indexOf(t)))));
+                }
+            }
+        }
+        QVERIFY(compared > 200'000);
+    }
+
+    void theVeryCornersOfFacesShowTheirCornerTexel_data()
+    {
+        QTest::addColumn<int>("corner");
+        QTest::newRow("V1, u = 1") << 1;
+        QTest::newRow("V2, v = 1") << 2;
+    }
+
+    /// Faces around a point that is the centre of a pixel: one of them covers it, with u or v
+    /// exactly 1, where the cell would lie outside.
+    void theVeryCornersOfFacesShowTheirCornerTexel()
+    {
+        QFETCH(int, corner);
+        constexpr std::uint32_t kFaces = 8;
+        TriangleMesh fan;
+        fan.positions.push_back({0, 0, 0});
+        for (std::uint32_t k = 0; k < kFaces; ++k) {
+            const double a = 0.1 + k * 2 * 3.14159265358979 / kFaces;
+            fan.positions.push_back({float(std::cos(a)), float(std::sin(a)), 0});
+        }
+        for (std::uint32_t k = 0; k < kFaces; ++k) {
+            const std::uint32_t a = 1 + k;
+            const std::uint32_t b = 1 + (k + 1) % kFaces;
+            fan.triangles.push_back(corner == 1 ? Triangle{b, 0, a} : Triangle{a, b, 0});
+        }
+        const TexelFormat format;
+        const Level level(3);
+        std::vector<std::byte> texels(3 * level.texelCount(), std::byte{0});
+        const TexelCoord at = corner == 1 ? TexelCoord{7, 0} : TexelCoord{0, 7};
+        texels[3 * indexOf(texelIndex(level, at))] = std::byte{255};
+        TexelStore store(kFaces, format, level, std::vector<std::byte>(3));
+        for (std::uint32_t k = 0; k < kFaces; ++k) {
+            store.exchange(faceId(k), FaceTexels::full(level, 3, texels));
+        }
+        m_renderer.reset();
+        m_offscreen.reset();
+        m_offscreen = std::make_unique<Offscreen>(1025, 1025);
+        m_renderer = makeRenderer();
+        QVERIFY(m_renderer->setMesh(fan));
+        m_renderer->setTexels(store, 0);
+        m_renderer->uploadTexels(store, kAll);
+        QCOMPARE(picture().pixelColor(512, 512), QColor(255, 0, 0));
+    }
+
+    void manyTexelsToAPixelAreAveraged()
+    {
+        const TexelFormat format;
+        const TexelStore store =
+            storeOf(format, randomFace(format, 12, 1), randomFace(format, 1, 2));
+        show(store);
+        const QImage image = picture();
+        double squares = 0;
+        int count = 0;
+        for (int y = 600; y < 700; ++y) {
+            for (int x = 150; x < 250; ++x) {
+                const double off = image.pixelColor(x, y).redF() - 0.5;
+                squares += off * off;
+                ++count;
+            }
+        }
+        // Uniform noise has a deviation of 0.289; the mean of four of half that.
+        const double deviation = std::sqrt(squares / count);
+        QVERIFY2(deviation > 0.12 && deviation < 0.17, qPrintable(QString::number(deviation)));
     }
 
     void constantFacesShowTheirValue()
