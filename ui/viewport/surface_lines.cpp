@@ -13,8 +13,10 @@ namespace {
 
 constexpr int kRingPoints = 72;
 constexpr int kEllipsePoints = 48;
-/// How far a ring's point may move to meet the surface, in radii.
-constexpr float kSnap = 0.7F;
+/// How far above and below its plane a ring looks for the surface, in radii.
+constexpr float kReach = 0.7F;
+/// Places, at half the radius, whose normals are averaged: a scan's own face is too rough.
+constexpr int kNormalSamples = 8;
 /// Hardness from which the inner ring would touch the outer one.
 constexpr float kHard = 0.95F;
 
@@ -24,31 +26,61 @@ constexpr glm::vec4 kEllipseColor{0.35F, 0.9F, 1.0F, 0.95F};
 constexpr glm::vec4 kParallelogramColor{1.0F, 0.75F, 0.3F, 0.9F};
 constexpr glm::vec4 kTexelColor{1, 1, 1, 0.85F};
 
+/// Unit normal of a face; zero when it has no area.
+glm::vec3 normalOf(const TriangleMesh& mesh, FaceId face)
+{
+    const auto c = mesh.corners(face);
+    const glm::vec3 cross = glm::cross(c[1] - c[0], c[2] - c[0]);
+    const float area = glm::length(cross);
+    return area > 0 ? cross / area : glm::vec3(0);
+}
+
+/// A plane through a point: two directions within it, and its normal.
 struct Frame
 {
     glm::vec3 x{1, 0, 0};
     glm::vec3 y{0, 1, 0};
-};
+    glm::vec3 normal{0, 0, 1};
 
-/// Two directions within the plane of a face.
-Frame frameOf(const std::array<glm::vec3, 3>& c)
-{
-    const glm::vec3 cross = glm::cross(c[1] - c[0], c[2] - c[0]);
-    const float area = glm::length(cross);
-    const glm::vec3 normal = area > 0 ? cross / area : glm::vec3(0, 0, 1);
-    // The axis that is least along the normal gives a direction across it.
-    const glm::vec3 other = std::abs(normal.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    Frame frame;
-    frame.x = glm::normalize(glm::cross(other, normal));
-    frame.y = glm::cross(normal, frame.x);
-    return frame;
-}
+    explicit Frame(glm::vec3 direction)
+    {
+        const float length = glm::length(direction);
+        normal = length > 0 ? direction / length : normal;
+        // The axis that is least along the normal gives a direction across it.
+        const glm::vec3 other = std::abs(normal.x) < 0.6F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+        x = glm::normalize(glm::cross(other, normal));
+        y = glm::cross(normal, x);
+    }
+};
 
 float angleOf(int k, int count)
 {
     return static_cast<float>(k) / static_cast<float>(count) * 2 * std::numbers::pi_v<float>;
 }
 
+glm::vec3 onCircle(const Frame& frame, glm::vec3 centre, float radius, float angle)
+{
+    return centre + radius * (std::cos(angle) * frame.x + std::sin(angle) * frame.y);
+}
+
+/// The plane that the surface around a point lies in, roughly.
+Frame frameAround(const Surface& surface, const SurfacePoint& point, float radius)
+{
+    const glm::vec3 own = normalOf(surface.mesh(), point.face);
+    const Frame rough(own);
+    glm::vec3 sum = own;
+    for (int k = 0; k < kNormalSamples; ++k) {
+        const glm::vec3 place =
+            onCircle(rough, point.position, radius / 2, angleOf(k, kNormalSamples));
+        if (const auto near = surface.bvh().closestPoint(place, kReach * radius)) {
+            const glm::vec3 normal = normalOf(surface.mesh(), near->face);
+            sum += glm::dot(normal, own) > 0 ? normal : glm::vec3(0);
+        }
+    }
+    return Frame(sum);
+}
+
+/// A circle seen along the normal, laid onto the surface where that is near.
 render::Polyline
 ring(const Surface& surface, const SurfacePoint& point, const Frame& frame, float radius)
 {
@@ -56,11 +88,11 @@ ring(const Surface& surface, const SurfacePoint& point, const Frame& frame, floa
     line.closed = true;
     line.hiddenOpacity = 0.25F;
     for (int k = 0; k < kRingPoints; ++k) {
-        const float angle = angleOf(k, kRingPoints);
-        const glm::vec3 on =
-            point.position + radius * (std::cos(angle) * frame.x + std::sin(angle) * frame.y);
-        const auto near = surface.bvh().closestPoint(on, kSnap * radius);
-        line.points.push_back(near ? near->position : on);
+        const glm::vec3 on = onCircle(frame, point.position, radius, angleOf(k, kRingPoints));
+        const glm::vec3 down = -frame.normal;
+        const auto below = surface.bvh().raycast({on - kReach * radius * down, down});
+        const bool isNear = below && glm::length(below->position - on) <= kReach * radius * 1.001F;
+        line.points.push_back(isNear ? below->position : on);
     }
     return line;
 }
@@ -78,7 +110,7 @@ glm::vec3 magnified(const std::array<glm::vec3, 3>& c, glm::vec3 centre, glm::dv
 std::vector<render::Polyline>
 brushRing(const Surface& surface, const SurfacePoint& point, const Brush& brush)
 {
-    const Frame frame = frameOf(surface.mesh().corners(point.face));
+    const Frame frame = frameAround(surface, point, brush.radius);
     std::vector<render::Polyline> lines;
     lines.push_back(ring(surface, point, frame, brush.radius));
     lines.back().color = kRingColor;

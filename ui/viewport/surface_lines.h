@@ -11,7 +11,7 @@
 namespace trixel::ui {
 
 /// A pixel's footprint is a pixel large on the screen: it is drawn so many times larger.
-inline constexpr double kFootprintMagnification = 24.0;
+inline constexpr double kFootprintMagnification = 40.0;
 
 /// The brush's reach around a point and, where it is not hard, the part painted at full strength;
 /// both are drawn onto the surface nearby.

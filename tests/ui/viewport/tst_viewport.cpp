@@ -248,13 +248,18 @@ private slots:
         sendPen(*m_view->viewport, QEvent::TabletPress, position, 1);
         QTest::mouseClick(
             m_view->viewport.get(), Qt::LeftButton, {}, m_view->texelPosition(kFace1, kUpper));
-        sendPen(*m_view->viewport, QEvent::TabletRelease, position, 0);
         QCOMPARE(paintedTexels(*m_view), 1);
+        // The pen goes on as if nothing had happened.
+        const TexelCoord next{kLower.i, static_cast<std::uint16_t>(kLower.j + 1), kLower.half};
+        sendPen(*m_view->viewport, QEvent::TabletMove, m_view->texelPosition(kFace0, next), 1);
+        sendPen(*m_view->viewport, QEvent::TabletRelease, position, 0);
+        QCOMPARE(m_view->texel(kFace0, next), kRed);
         QCOMPARE(m_view->document.undoStack().count(), 1);
+        const int painted = paintedTexels(*m_view);
         // And afterwards the mouse works again.
         QTest::mouseClick(
             m_view->viewport.get(), Qt::LeftButton, {}, m_view->texelPosition(kFace1, kUpper));
-        QCOMPARE(paintedTexels(*m_view), 2);
+        QCOMPARE(paintedTexels(*m_view), painted + 1);
     }
 
     void hoverTellsTheTexelOfBothHalves()
@@ -363,8 +368,8 @@ private slots:
         drag(*m_view->viewport,
              static_cast<Qt::MouseButton>(button),
              static_cast<Qt::KeyboardModifier>(modifiers),
-             {320, 320},
-             {380, 340});
+             {240, 240},
+             {300, 260});
         const render::CameraPose after = m_view->viewport->camera().pose();
         QCOMPARE(after.yaw != before.yaw, changes == "angle");
         QCOMPARE(after.target != before.target, changes == "target");
@@ -457,6 +462,23 @@ private slots:
         QCOMPARE(m_view->texel(kFace0, {0, 4, TexelHalf::Lower}), kRed);
     }
 
+    void aStrokeThatLeavesTheSurfaceDoesNotBridgeTheGap()
+    {
+        Viewport& viewport = *m_view->viewport;
+        const Level level(3);
+        const TexelCoord low = texelAt(level, glm::dvec2(0.01, 0.97)); // lower left, in face 0
+        const QPoint from = m_view->texelPosition(kFace0, low);
+        const TexelCoord high{0, 0, TexelHalf::Lower}; // upper left, in face 1
+        const QPoint to = m_view->texelPosition(kFace1, high);
+        QTest::mousePress(&viewport, Qt::LeftButton, {}, from);
+        movePointer(viewport, {2, from.y()}, Qt::LeftButton);
+        movePointer(viewport, {2, to.y()}, Qt::LeftButton);
+        movePointer(viewport, to, Qt::LeftButton);
+        QTest::mouseRelease(&viewport, Qt::LeftButton, {}, to);
+        QCOMPARE(m_view->texel(kFace1, high), kRed);
+        QVERIFY2(paintedTexels(*m_view) <= 4, qPrintable(QString::number(paintedTexels(*m_view))));
+    }
+
     void anUndoDuringAStrokeEndsItWithoutHarm()
     {
         const QPoint position = m_view->texelPosition(kFace0, kLower);
@@ -492,8 +514,8 @@ private slots:
     {
         m_view->document.open({}, {}, {});
         const QImage image = m_view->viewport->grabFramebuffer();
-        QTest::mouseClick(m_view->viewport.get(), Qt::LeftButton, {}, {320, 320});
-        QVERIFY(!m_view->viewport->surfacePointAt({320, 320}));
+        QTest::mouseClick(m_view->viewport.get(), Qt::LeftButton, {}, {240, 240});
+        QVERIFY(!m_view->viewport->surfacePointAt({240, 240}));
         int bright = 0; // letters
         for (int x = 0; x < image.width(); ++x) {
             for (int y = image.height() / 2 - 20; y < image.height() / 2 + 20; ++y) {

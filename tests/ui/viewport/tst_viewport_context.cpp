@@ -23,9 +23,9 @@ private slots:
 
         // Another top-level window means another context.
         QWidget window;
-        window.resize(640, 640);
+        window.resize(480, 480);
         view.viewport->setParent(&window);
-        view.viewport->setGeometry(0, 0, 640, 640);
+        view.viewport->setGeometry(0, 0, 480, 480);
         view.viewport->show();
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));

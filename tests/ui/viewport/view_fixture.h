@@ -62,7 +62,7 @@ struct ViewFixture
         brush.color = {1, 0, 0, 1};
         settings.setBrush(brush);
         viewport = std::make_unique<Viewport>(document, settings);
-        viewport->resize(640, 640);
+        viewport->resize(480, 480);
         viewport->show();
         const bool shown = QTest::qWaitForWindowExposed(viewport.get());
         document.open(std::move(project), {}, "square");
