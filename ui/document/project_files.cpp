@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/project_files.h"
 
+#include <QFile>
 #include <QFileInfo>
 
+#include "core/io/sample_scene.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/texture/convert.h"
 #include "ui/document/background_job.h"
@@ -167,6 +169,21 @@ void ProjectFiles::openMeshFile(const QString& path)
             emit opened(path);
             emit meshOpened(path);
         });
+}
+
+void ProjectFiles::openSample()
+{
+    load(
+        tr("the sample scene"),
+        [](Progress& progress) -> Result<Project> {
+            QFile cage(":/sample/chameleon.obj");
+            QFile strokes(":/sample/chameleon.strokes.json");
+            check(cage.open(QIODevice::ReadOnly) && strokes.open(QIODevice::ReadOnly),
+                  "the sample is among the resources");
+            return buildSampleScene(
+                cage.readAll().toStdString(), strokes.readAll().toStdString(), progress);
+        },
+        [this](Project project) { m_document.open(std::move(project), {}, tr("Chameleon")); });
 }
 
 void ProjectFiles::openPtxOn(const QString& ptxPath, const QString& meshPath)

@@ -30,6 +30,8 @@ public:
     /// Opens a project, a `.ptx` with its mesh, or a mesh with default options. Another open under
     /// way is given up.
     void open(const QString& path);
+    /// Opens the scene that comes with the program.
+    void openSample();
     /// Opens a `.ptx` on a mesh from another file.
     void openPtxOn(const QString& ptxPath, const QString& meshPath);
     /// Starts a project on a mesh; `name` is its title.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/application.h"
 
+#include <QIcon>
 #include <QSettings>
 #include <QSurfaceFormat>
 
@@ -32,10 +33,13 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     prepareApplication();
     QApplication application(argc, argv);
     setUpApplication(application);
+    QApplication::setWindowIcon(QIcon(":/icons/trixel.svg"));
     MainWindow window;
     window.show();
     if (file) {
         window.open(QString::fromStdU16String(file->u16string()));
+    } else {
+        window.files().openSample();
     }
     return QApplication::exec();
 }

@@ -60,7 +60,7 @@ void BrushActions::makeSizes()
     QAction* harder = add(tr("&Harder"), tr("Make the brush's edge harder"), {});
     harder->setShortcuts({QKeySequence(Qt::SHIFT | Qt::Key_BracketRight),
                           QKeySequence(Qt::SHIFT | Qt::Key_BraceRight)});
-    QAction* softer = add(tr("S&ofter"), tr("Make the brush's edge softer"), {});
+    QAction* softer = add(tr("So&fter"), tr("Make the brush's edge softer"), {});
     softer->setShortcuts({QKeySequence(Qt::SHIFT | Qt::Key_BracketLeft),
                           QKeySequence(Qt::SHIFT | Qt::Key_BraceLeft)});
     connect(harder, &QAction::triggered, this, [this] { addHardness(kHardnessStep); });

@@ -82,6 +82,7 @@ void FileActions::makeActions()
                  "new");
     m_open = make(
         tr("&Open…"), tr("Open a project, a .ptx texture or a mesh"), QKeySequence::Open, "open");
+    m_sample = make(tr("Open Sa&mple Scene"), tr("Open the scene that comes with the program"));
     m_save = make(tr("&Save"), tr("Save the project"), QKeySequence::Save, "save");
     m_saveAs = make(tr("Save &As…"),
                     tr("Save the project under another name"),
@@ -94,6 +95,9 @@ void FileActions::makeActions()
 
     connect(m_new, &QAction::triggered, this, [this] { askForNew({}); });
     connect(m_open, &QAction::triggered, this, &FileActions::askForOpen);
+    connect(m_sample, &QAction::triggered, this, [this] {
+        withoutLoss([this] { m_files.openSample(); });
+    });
     connect(m_save, &QAction::triggered, this, [this] { save({}); });
     connect(m_saveAs, &QAction::triggered, this, [this] { saveAs({}); });
     connect(m_export, &QAction::triggered, this, &FileActions::askForExport);
@@ -149,6 +153,7 @@ void FileActions::fillMenu(QMenu& menu)
     menu.addAction(m_new);
     menu.addAction(m_open);
     m_recent->attachTo(*menu.addMenu(tr("Open &Recent")));
+    menu.addAction(m_sample);
     menu.addSeparator();
     menu.addAction(m_save);
     menu.addAction(m_saveAs);

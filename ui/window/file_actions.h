@@ -59,6 +59,7 @@ private:
     RecentFiles* m_recent;
     QAction* m_new = nullptr;
     QAction* m_open = nullptr;
+    QAction* m_sample = nullptr;
     QAction* m_save = nullptr;
     QAction* m_saveAs = nullptr;
     QAction* m_export = nullptr;

@@ -102,7 +102,8 @@ void PanelActions::focusNext()
     }
     if (next->focusPolicy() == Qt::NoFocus) {
         for (QWidget* child : next->findChildren<QWidget*>()) {
-            if ((child->focusPolicy() & Qt::TabFocus) != 0 && child->isVisibleTo(next)) {
+            const bool takesTab = (child->focusPolicy() & Qt::TabFocus) != 0;
+            if (takesTab && child->isEnabled() && child->isVisibleTo(next)) {
                 next = child;
                 break;
             }

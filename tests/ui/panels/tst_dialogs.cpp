@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+
+#include "tests/ui/fixtures.h"
+#include "ui/dialogs/export_dialog.h"
+#include "ui/dialogs/export_estimate.h"
+#include "ui/dialogs/format_choice.h"
+#include "ui/dialogs/new_dialog.h"
+
+namespace trixel::ui {
+
+namespace {
+
+template <class T>
+T* named(const QWidget& parent, const QString& name)
+{
+    for (T* widget : parent.findChildren<T*>()) {
+        if (widget->accessibleName() == name) {
+            return widget;
+        }
+    }
+    return nullptr;
+}
+
+/// Paints every face with noise that hardly compresses.
+void paintNoise(TexelStore& texels)
+{
+    std::uint32_t state = 1;
+    for (std::size_t k = 0; k < texels.faceCount(); ++k) {
+        for (std::byte& byte : texels.writable(faceId(k))) {
+            state = state * 1664525U + 1013904223U;
+            byte = static_cast<std::byte>(state >> 24U);
+        }
+    }
+}
+
+} // namespace
+
+class DialogsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QFile file(mesh());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 4 3 2\n");
+    }
+
+    void newDialogCountsTexelsBeforeAnythingIsMade()
+    {
+        NewDialog dialog(mesh());
+        dialog.show();
+        auto* create = named<QPushButton>(dialog, "Create");
+        QVERIFY(!create->isEnabled());
+        QTRY_VERIFY(create->isEnabled());
+        named<QComboBox>(dialog, "Resolution by")->setCurrentIndex(2);
+        named<QSpinBox>(dialog, "Level of every face")->setValue(6);
+        auto* result = named<QLabel>(dialog, "Result");
+        QTRY_VERIFY2(result->text().contains(countText(2 * 4096)), qPrintable(result->text()));
+        QVERIFY(result->text().contains(sizeText(2 * 4096 * 3)));
+        named<QComboBox>(dialog, "Type of a channel")->setCurrentIndex(3);
+        QTRY_VERIFY(result->text().contains(sizeText(2 * 4096 * 3 * 4)));
+    }
+
+    void newDialogHandsOverWhatWasChosen()
+    {
+        NewDialog dialog(mesh());
+        dialog.show();
+        std::optional<ProjectOptions> options;
+        std::size_t faces = 0;
+        QString name;
+        connect(&dialog,
+                &NewDialog::createWanted,
+                this,
+                [&](const std::shared_ptr<const TriangleMesh>& triangles,
+                    const ProjectOptions& chosen,
+                    const QString& title) {
+                    faces = triangles->faceCount();
+                    options = chosen;
+                    name = title;
+                });
+        named<QComboBox>(dialog, "Resolution by")->setCurrentIndex(1);
+        named<QDoubleSpinBox>(dialog, "Texels per unit of length")->setValue(32);
+        named<QComboBox>(dialog, "Channels")->setCurrentIndex(2);
+        auto* create = named<QPushButton>(dialog, "Create");
+        QTRY_VERIFY(create->isEnabled());
+        QTest::mouseClick(create, Qt::LeftButton);
+        QVERIFY(options.has_value());
+        QCOMPARE(faces, std::size_t{2});
+        QCOMPARE(name, QString("square"));
+        QCOMPARE(options->size, SizeChoice::Density);
+        QCOMPARE(options->density, 32.0);
+        QCOMPARE(int(options->format.channels), 4);
+        QVERIFY(options->format.alpha == std::uint16_t{3});
+    }
+
+    void newDialogSaysWhatIsWrongWithTheMesh()
+    {
+        NewDialog dialog(m_folder.filePath("missing.obj"));
+        dialog.show();
+        auto* about = named<QLabel>(dialog, "About the mesh");
+        QTRY_VERIFY2(about->text().contains("missing.obj"), qPrintable(about->text()));
+        QVERIFY(!named<QPushButton>(dialog, "Create")->isEnabled());
+        // Another name typed is read again.
+        auto* path = named<QLineEdit>(dialog, "Mesh file");
+        path->selectAll();
+        QTest::keyClicks(path, mesh());
+        QTRY_VERIFY(named<QPushButton>(dialog, "Create")->isEnabled());
+    }
+
+    void newDialogRefusesFewerTexelsThanFaces()
+    {
+        NewDialog dialog(mesh());
+        dialog.show();
+        auto* create = named<QPushButton>(dialog, "Create");
+        QTRY_VERIFY(create->isEnabled());
+        named<QComboBox>(dialog, "Resolution by")->setCurrentIndex(1);
+        named<QDoubleSpinBox>(dialog, "Texels per unit of length")->setValue(1e9);
+        auto* result = named<QLabel>(dialog, "Result");
+        QTRY_VERIFY(result->text().contains("level 12")); // the highest there is
+    }
+
+    void exportDialogEstimatesAndHandsOver()
+    {
+        Project project = gridProject();
+        paintNoise(project.texels);
+        ExportDialog dialog(project, m_folder.filePath("grid.ptx"));
+        dialog.show();
+        auto* size = named<QLabel>(dialog, "Size estimate");
+        const std::uint64_t full = 128 * 64 * 3;
+        QTRY_VERIFY2(size->text().contains(sizeText(full + full / 3)), qPrintable(size->text()));
+        named<QCheckBox>(dialog, "Store reduced levels")->setChecked(false);
+        QTRY_VERIFY(size->text().contains(sizeText(full)));
+
+        QSignalSpy wanted(&dialog, &ExportDialog::exportWanted);
+        QTest::mouseClick(named<QPushButton>(dialog, "Export"), Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.at(0).at(0).toString(), m_folder.filePath("grid.ptx"));
+        QCOMPARE(wanted.at(0).at(2).toBool(), false);
+    }
+
+    void exportDialogRefusesUselessDestinations()
+    {
+        ExportDialog dialog(gridProject(), {});
+        dialog.show();
+        auto* path = named<QLineEdit>(dialog, "Destination");
+        auto* button = named<QPushButton>(dialog, "Export");
+        QVERIFY(!button->isEnabled());
+        path->setText(m_folder.filePath("nowhere/x.ptx"));
+        QVERIFY(!button->isEnabled());
+        QVERIFY(named<QLabel>(dialog, "Note")->text().contains("does not exist"));
+        path->setText(m_folder.filePath("fine"));
+        QVERIFY(button->isEnabled());
+    }
+
+    void estimateIsNearWhatIsWritten_data()
+    {
+        QTest::addColumn<bool>("painted");
+        QTest::newRow("unpainted") << false;
+        QTest::newRow("noise") << true;
+    }
+    void estimateIsNearWhatIsWritten()
+    {
+        QFETCH(bool, painted);
+        Project project = gridProject(24, 4);
+        if (painted) {
+            paintNoise(project.texels);
+        }
+        const ExportEstimate estimate = estimatePtx(project.texels, TexelType::UInt8, true);
+        NoProgress progress;
+        const QString path = m_folder.filePath("estimate.ptx");
+        QVERIFY(exportPtx(path.toStdString(), project, {}, progress).has_value());
+        const double ratio = double(estimate.likelyBytes) / double(QFile(path).size());
+        QVERIFY2(ratio > 0.5 && ratio < 2.0, qPrintable(QString::number(ratio)));
+    }
+
+private:
+    QString mesh() const { return m_folder.filePath("square.obj"); }
+
+    QTemporaryDir m_folder;
+};
+
+} // namespace trixel::ui
+
+QTEST_MAIN(trixel::ui::DialogsTest)
+#include "tst_dialogs.moc"
