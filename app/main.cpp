@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #ifdef TRIXEL_HAS_WINDOW
+#include "app/tour/verb.h"
 #include "ui/window/application.h"
 #endif
 
@@ -35,7 +36,8 @@ int main(int argc, char** argv)
                                        "trixel: there is no display to open a window on; the "
                                        "verbs need none ('trixel --help' lists them)."});
     };
-    return app::runCommandLine(argc, argv, {}, openWindow);
+    const app::AddVerb withDisplay[] = {app::addTour};
+    return app::runCommandLine(argc, argv, withDisplay, openWindow);
 #else
     return app::runCommandLine(argc, argv, {}, nullptr);
 #endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPoint>
+#include <QPointF>
+
+#include "app/tour/input_driver.h"
+#include "core/base/result.h"
+#include "ui/window/main_window.h"
+
+#include <filesystem>
+#include <string>
+
+namespace trixel::app {
+
+/// The stops of the tour, in order. Each uses the window, checks that the window did what it
+/// should, and leaves a picture behind; an error names the stop and what was missing.
+class Stops
+{
+public:
+    Stops(ui::MainWindow& window, std::filesystem::path folder);
+
+    Status wholeScene();
+    Status hoveredTexel();
+    Status paintedStroke();
+    Status undoneAndRedone();
+    Status texelsOfBothHalves();
+    Status mipLevels();
+    Status newProject();
+    Status exportedTexture();
+
+private:
+    /// A place in the view by its share of width and height, [0,1] each.
+    QPoint inView(double x, double y) const;
+    Status picture(const std::string& name);
+    Status pictureOf(QWidget& widget, const std::string& name);
+
+    ui::MainWindow& m_window;
+    QWidget& m_view;
+    InputDriver m_input;
+    std::filesystem::path m_folder;
+    int m_taken = 0;
+};
+
+} // namespace trixel::app
