@@ -52,7 +52,11 @@ std::vector<RecordedStroke> scribbles(std::size_t faceCount)
         brush.pressureToSize = k % 2 == 0;
         brush.pressureToOpacity = k % 3 == 0;
         brush.paintThrough = k == 2;
-        for (int n = 0; n < 12; ++n) {
+        if (k == 1) {
+            brush.radius = 1.5F; // half a sphere of radius 1: work for several threads
+            brush.spacing = 1;
+        }
+        for (int n = 0; n < 5; ++n) {
             const float u = part(random);
             strokes[k].samples.push_back({faceId(random() % faceCount),
                                           {u, (1 - u) * part(random)},
@@ -66,10 +70,9 @@ std::vector<RecordedStroke> scribbles(std::size_t faceCount)
 class StopAtSecondReport final : public Progress
 {
 public:
-    bool report(double /*fraction*/) override { return ++m_reports < 2; }
+    bool report(double /*fraction*/) override { return ++reports < 2; }
 
-private:
-    int m_reports = 0;
+    int reports = 0;
 };
 
 } // namespace
@@ -214,6 +217,9 @@ TEST(ReplayStrokes, cancellingAndBadBrushesLeaveTheStoreAsItWas)
 {
     const auto surface = test::surfaceOf(test::sphereMesh(1));
     auto strokes = scribbles(surface->mesh().faceCount());
+    for (int k = 0; k < 15; ++k) { // enough samples for a second report
+        strokes.push_back(RecordedStroke(strokes[3]));
+    }
     const TexelFormat format;
     const std::vector<std::byte> fill(format.texelBytes());
     const TexelStore blank(80, format, Level(3), fill);
@@ -222,6 +228,7 @@ TEST(ReplayStrokes, cancellingAndBadBrushesLeaveTheStoreAsItWas)
     const Status cancelled = replayStrokes(strokes, surface, fill, store, Threads{1}, stop);
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().kind, ErrorKind::Cancelled);
+    EXPECT_EQ(stop.reports, 2); // some of it had been painted
     EXPECT_TRUE(test::sameToTheBit(store, blank));
 
     strokes[3].brush.spacing = 0;
