@@ -51,8 +51,8 @@ QString vectorText(glm::dvec2 vector)
 QString ellipseText(const FootprintEllipse& ellipse)
 {
     return QString("%1 × %2  (%3 : 1)")
-        .arg(number(ellipse.majorLength, 4),
-             number(ellipse.minorLength, 4),
+        .arg(number(ellipse.majorLength, 3),
+             number(ellipse.minorLength, 3),
              number(ellipse.anisotropy(), 3));
 }
 
