@@ -1,22 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/program.h"
 
+#include <QFile>
+
 namespace trixel::render {
 
-Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
-                                                          const QString& fragment)
+namespace {
+
+/// Text of an embedded shader with lines put after its first, which has to stay `#version`; empty
+/// when there is no such file.
+QByteArray shaderSource(const QString& name, const QByteArray& defines)
+{
+    QFile file(QStringLiteral(":/shaders/") + name);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QByteArray source = file.readAll();
+    return source.insert(source.indexOf('\n') + 1, defines);
+}
+
+} // namespace
+
+Result<std::unique_ptr<QOpenGLShaderProgram>>
+loadProgram(const QString& vertex, const QString& fragment, const QByteArray& defines)
 {
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const auto add = [&](QOpenGLShader::ShaderType type, const QString& file) {
-        return program->addShaderFromSourceFile(type, QStringLiteral(":/shaders/") + file);
+    const auto add = [&](QOpenGLShader::ShaderType type,
+                         const QString& name,
+                         const QByteArray& lines) -> Status {
+        const QByteArray source = shaderSource(name, lines);
+        if (source.isEmpty()) {
+            return contentsError("shader " + name.toStdString() + " is not in the program");
+        }
+        if (!program->addShaderFromSourceCode(type, source)) {
+            return contentsError("shader " + name.toStdString() + ": " +
+                                 program->log().toStdString());
+        }
+        return {};
     };
-    if (!add(QOpenGLShader::Vertex, vertex)) {
-        return contentsError("shader " + vertex.toStdString() + ": " +
-                             program->log().toStdString());
+    if (const Status added = add(QOpenGLShader::Vertex, vertex, {}); !added) {
+        return tl::unexpected(added.error());
     }
-    if (!add(QOpenGLShader::Fragment, fragment)) {
-        return contentsError("shader " + fragment.toStdString() + ": " +
-                             program->log().toStdString());
+    if (const Status added = add(QOpenGLShader::Fragment, fragment, defines); !added) {
+        return tl::unexpected(added.error());
     }
     if (!program->link()) {
         return contentsError("shaders " + vertex.toStdString() + " and " + fragment.toStdString() +

@@ -44,6 +44,9 @@ public:
     std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);
     const DisplayTexels& texels() const { return m_texels; }
 
+    /// Compiles every program at once instead of when it is first used; for tests.
+    Status makeAllPrograms() { return m_surface->makeAllPrograms(); }
+
     /// Draws into the framebuffer that is bound, over all of it.
     void draw(const Scene& scene);
 

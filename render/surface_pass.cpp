@@ -16,32 +16,70 @@ std::unique_ptr<TextureBuffer> texelBuffer(Gl& gl, DisplayFormat format)
         gl, format == DisplayFormat::Rgba8 ? GL_RGBA8 : GL_RGBA16F, texelBytes(format));
 }
 
+std::size_t variantOf(const SurfaceStyle& style)
+{
+    return (style.lit ? 1U : 0U) | (style.wireframe ? 2U : 0U) | (style.texelGrid ? 4U : 0U) |
+           (style.hasAlpha ? 8U : 0U);
+}
+
+QByteArray definesOf(std::size_t variant)
+{
+    QByteArray lines;
+    std::size_t bit = 1;
+    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA"}) {
+        lines += QByteArray("#define ") + name + ((variant & bit) != 0 ? " 1\n" : " 0\n");
+        bit *= 2;
+    }
+    return lines;
+}
+
 } // namespace
 
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 {
-    auto program = loadProgram(QStringLiteral("surface.vert"), QStringLiteral("surface.frag"));
-    if (!program) {
-        return tl::unexpected(program.error());
+    std::unique_ptr<SurfacePass> pass(new SurfacePass(gl));
+    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle())); !made) {
+        return tl::unexpected(made.error());
     }
-    return std::unique_ptr<SurfacePass>(new SurfacePass(gl, std::move(*program)));
+    return pass;
 }
 
-SurfacePass::SurfacePass(Gl& gl, std::unique_ptr<QOpenGLShaderProgram> program)
+SurfacePass::SurfacePass(Gl& gl)
     : m_gl(gl)
-    , m_program(std::move(program))
     , m_positions(gl, GL_RGB32F, sizeof(glm::vec3))
     , m_triangles(gl, GL_RGB32UI, sizeof(Triangle))
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
     , m_records(gl, GL_RG32UI, sizeof(FaceRecord))
 {
-    m_program->bind();
-    m_program->setUniformValue("positions", 0);
-    m_program->setUniformValue("triangles", 1);
-    m_program->setUniformValue("normals", 2);
-    m_program->setUniformValue("records", 3);
-    m_program->setUniformValue("texels", 4);
-    m_program->release();
+}
+
+Status SurfacePass::makeProgram(std::size_t variant)
+{
+    auto made = loadProgram(
+        QStringLiteral("surface.vert"), QStringLiteral("surface.frag"), definesOf(variant));
+    if (!made) {
+        return tl::unexpected(made.error());
+    }
+    QOpenGLShaderProgram& program = **made;
+    program.bind();
+    program.setUniformValue("positions", 0);
+    program.setUniformValue("triangles", 1);
+    program.setUniformValue("normals", 2);
+    program.setUniformValue("records", 3);
+    program.setUniformValue("texels", 4);
+    program.release();
+    m_programs[variant] = std::move(*made);
+    return {};
+}
+
+Status SurfacePass::makeAllPrograms()
+{
+    for (std::size_t variant = 0; variant < kVariants; ++variant) {
+        if (const Status made = makeProgram(variant); !made) {
+            return made;
+        }
+    }
+    return {};
 }
 
 Status SurfacePass::setMesh(const TriangleMesh& mesh)
@@ -97,20 +135,22 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
     if (m_faceCount == 0 || !m_texels || m_texels->size() == 0) {
         return;
     }
-    m_program->bind();
+    // The same source has compiled for another style: failing here is for lack of memory at most.
+    const std::size_t variant = variantOf(style);
+    if (!m_programs[variant] && !makeProgram(variant)) {
+        return;
+    }
+    QOpenGLShaderProgram& program = *m_programs[variant];
+    program.bind();
     m_positions.bind(0);
     m_triangles.bind(1);
     m_normals.bind(2);
     m_records.bind(3);
     m_texels->bind(4);
-    m_program->setUniformValue("view", toQt(camera.view()));
-    m_program->setUniformValue("projection", toQt(camera.projection()));
-    m_program->setUniformValue("hasNormals", m_normals.size() > 0);
-    m_program->setUniformValue("lit", style.lit);
-    m_program->setUniformValue("wireframe", style.wireframe);
-    m_program->setUniformValue("texelGrid", style.texelGrid);
-    m_program->setUniformValue("hasAlpha", style.hasAlpha);
-    m_program->setUniformValue("lineWidth", style.pixelRatio);
+    program.setUniformValue("view", toQt(camera.view()));
+    program.setUniformValue("projection", toQt(camera.projection()));
+    program.setUniformValue("hasNormals", m_normals.size() > 0);
+    program.setUniformValue("lineWidth", style.pixelRatio);
 
     m_gl.glEnable(GL_DEPTH_TEST);
     m_gl.glDepthFunc(GL_LESS);
@@ -118,7 +158,7 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glDisable(GL_BLEND);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * m_faceCount));
-    m_program->release();
+    program.release();
 }
 
 } // namespace trixel::render

@@ -9,6 +9,7 @@
 #include "render/program.h"
 #include "render/texture_buffer.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -43,11 +44,18 @@ public:
 
     void draw(const Camera& camera, const SurfaceStyle& style);
 
+    /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
+    Status makeAllPrograms();
+
 private:
-    SurfacePass(Gl& gl, std::unique_ptr<QOpenGLShaderProgram> program);
+    static constexpr std::size_t kVariants = 16;
+    using Program = std::unique_ptr<QOpenGLShaderProgram>;
+
+    explicit SurfacePass(Gl& gl);
+    Status makeProgram(std::size_t variant);
 
     Gl& m_gl;
-    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    std::array<Program, kVariants> m_programs; ///< one a way of drawing, made when first used
     TextureBuffer m_positions;
     TextureBuffer m_triangles;
     TextureBuffer m_normals;

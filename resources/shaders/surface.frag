@@ -1,11 +1,9 @@
 #version 410 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+// LIT, WIREFRAME, TEXEL_GRID and ALPHA are defined as 0 or 1: a program for each way of drawing,
+// because a processor that draws runs both sides of every branch.
 uniform samplerBuffer texels;
-uniform bool lit;
-uniform bool wireframe;
-uniform bool texelGrid;
-uniform bool hasAlpha;
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
 
@@ -74,15 +72,16 @@ vec3 overChecker(vec4 texel)
 }
 
 // Headlight from the upper left, a sky and a thin rim; a white texel facing the light stays white.
+// Light adds up in squares of what is shown: near enough to linear, and cheap.
 vec3 shade(vec3 base, vec3 normal)
 {
     vec3 toEye = normalize(-viewPosition);
     float key = max(dot(normal, normalize(vec3(-0.35, 0.45, 1.0))), 0.0);
     float sky = 0.5 + 0.5 * normal.y;
-    float facing = clamp(dot(normal, toEye), 0.0, 1.0);
-    float rim = 0.035 * pow(1.0 - facing, 4.0);
+    float turned = 1.0 - clamp(dot(normal, toEye), 0.0, 1.0);
+    float rim = 0.045 * turned * turned * turned * turned;
     float light = 0.05 + 0.80 * key + 0.15 * sky;
-    return pow(pow(base, vec3(2.2)) * light + rim, vec3(1.0 / 2.2));
+    return sqrt(base * base * light + rim);
 }
 
 vec3 shadingNormal()
@@ -115,20 +114,20 @@ void main()
     vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));
 
     vec4 texel = texelColor(resolution);
-    vec3 shown = hasAlpha ? overChecker(texel) : texel.rgb;
-    if (lit) {
+    vec3 shown = ALPHA == 1 ? overChecker(texel) : texel.rgb;
+    if (LIT == 1) {
         shown = shade(shown, shadingNormal());
     }
     if (!gl_FrontFacing) {
         shown *= 0.72;
     }
-    if (texelGrid) {
+    if (TEXEL_GRID == 1) {
         vec3 p = bary * float(resolution);
         float line = coverage(abs(p - round(p)), baryPerPixel * float(resolution), 0.5 * lineWidth);
         float luma = dot(shown, vec3(0.2126, 0.7152, 0.0722));
         shown = mix(shown, vec3(luma > 0.45 ? 0.0 : 1.0), 0.38 * line);
     }
-    if (wireframe) {
+    if (WIREFRAME == 1) {
         float line = coverage(max(bary, vec3(0.0)), baryPerPixel, 0.5 * lineWidth);
         shown = mix(shown, kWireColor, 0.85 * line);
     }

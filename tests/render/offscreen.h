@@ -43,10 +43,24 @@ public:
     bool isValid() const { return m_valid; }
     QOpenGLContext& context() { return m_context; }
 
-    QImage draw(Renderer& renderer, Scene scene)
+    /// Makes the context and the picture current.
+    void bind()
     {
         m_context.makeCurrent(&m_surface);
         m_target->bind();
+    }
+
+    /// Draws and waits until it is done, without looking at the picture.
+    void drawOnly(Renderer& renderer, const Scene& scene)
+    {
+        bind();
+        renderer.draw(scene);
+        m_context.functions()->glFinish();
+    }
+
+    QImage draw(Renderer& renderer, Scene scene)
+    {
+        bind();
         scene.camera.setViewport(m_target->width(), m_target->height());
         renderer.draw(scene);
         m_errors = m_errors || m_context.functions()->glGetError() != GL_NO_ERROR;
