@@ -6,13 +6,13 @@
 
 namespace trixel {
 
-void checkFailed(const char* condition, const std::source_location& where)
+void checkFailed(const char* condition, const CallPlace& where)
 {
     std::fprintf(stderr,
-                 "%s:%u: %s: broken promise: %s\n",
-                 where.file_name(),
-                 where.line(),
-                 where.function_name(),
+                 "%s:%d: %s: broken promise: %s\n",
+                 where.file,
+                 where.line,
+                 where.function,
                  condition);
     std::abort();
 }

@@ -40,7 +40,7 @@ FaceLinks linksOf(const PtxFaceInfo& info, const Adjacency& adjacency, FaceId fa
 bool isRotation(const Neighbours& a, Neighbours b)
 {
     for (int k = 0; k < 3; ++k) {
-        std::ranges::rotate(b, b.begin() + 1);
+        std::rotate(b.begin(), b.begin() + 1, b.end());
         if (a == b) {
             return true;
         }

@@ -9,8 +9,6 @@
 namespace trixel {
 namespace {
 
-constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
-
 std::uint32_t packed(FaceId face, LocalEdge edge)
 {
     return static_cast<std::uint32_t>(face) << 2U | static_cast<std::uint32_t>(edge);
@@ -131,16 +129,6 @@ Adjacency::Adjacency(std::size_t faceCount)
     : m_neighbours(3 * faceCount, kBorder)
 {
     check(faceCount < std::size_t{1} << 30U, "fewer than 2^30 faces");
-}
-
-std::optional<EdgeNeighbour> Adjacency::neighbour(FaceId face, LocalEdge edge) const
-{
-    check(indexOf(face) < faceCount(), "face exists");
-    const std::uint32_t other = m_neighbours[3 * indexOf(face) + indexOf(edge)];
-    if (other == kBorder) {
-        return std::nullopt;
-    }
-    return EdgeNeighbour{faceOf(other), edgeOf(other)};
 }
 
 void Adjacency::connect(FaceId a, LocalEdge edgeOfA, FaceId b, LocalEdge edgeOfB)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/check.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <cstdint>
@@ -32,7 +33,14 @@ public:
     std::size_t faceCount() const { return m_neighbours.size() / 3; }
 
     /// Nothing at a border.
-    std::optional<EdgeNeighbour> neighbour(FaceId face, LocalEdge edge) const;
+    std::optional<EdgeNeighbour> neighbour(FaceId face, LocalEdge edge) const
+    {
+        check(indexOf(face) < faceCount(), "face exists");
+        const std::uint32_t other = m_neighbours[3 * indexOf(face) + indexOf(edge)];
+        return other == kBorder ? std::nullopt
+                                : std::optional(EdgeNeighbour{faceId(other >> 2U),
+                                                              static_cast<LocalEdge>(other & 3U)});
+    }
 
     /// Records both sides of a shared edge.
     void connect(FaceId a, LocalEdge edgeOfA, FaceId b, LocalEdge edgeOfB);
@@ -40,7 +48,9 @@ public:
     bool operator==(const Adjacency&) const = default;
 
 private:
-    // face << 2 | edge; all ones at a border.
+    static constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
+
+    // face << 2 | edge, or kBorder.
     std::vector<std::uint32_t> m_neighbours;
 };
 

@@ -2,9 +2,11 @@
 #include "core/mesh/half_edges.h"
 
 #include "core/base/check.h"
+#include "core/base/parallel.h"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>
+#include <atomic>
 
 namespace trixel {
 namespace {
@@ -12,10 +14,11 @@ namespace {
 using Structure = OpenMesh::TriConnectivity;
 using HalfEdge = OpenMesh::HalfedgeHandle;
 
+constexpr std::size_t kVertexGrain = std::size_t{1} << 15U;
 // OpenMesh numbers half-edges by int, and a face may bring six.
 constexpr std::size_t kMaxStructureFaces = 0x7FFFFFFFU / 6U;
 
-OpenMesh::VertexHandle vertexHandle(std::uint32_t vertex)
+OpenMesh::VertexHandle vertexHandle(std::size_t vertex)
 {
     return OpenMesh::VertexHandle(static_cast<int>(vertex));
 }
@@ -32,6 +35,7 @@ public:
         : m_triangles(triangles)
         , m_adjacency(adjacency)
         , m_refused(refused)
+        , m_allKept(std::find(refused.begin(), refused.end(), true) == refused.end())
         , m_structure(std::make_unique<Structure>())
         , m_openCorners(vertexCount, 0)
     {
@@ -57,7 +61,7 @@ private:
     std::optional<EdgeNeighbour> neighbour(FaceId face, LocalEdge edge) const
     {
         const auto other = m_adjacency.neighbour(face, edge);
-        return other && !m_refused[indexOf(other->face)] ? other : std::nullopt;
+        return m_allKept || !other || !m_refused[indexOf(other->face)] ? other : std::nullopt;
     }
 
     std::size_t countEdges() const;
@@ -65,11 +69,14 @@ private:
     void linkBorders();
     HalfEdge nextOpen(HalfEdge border);
     std::uint32_t ringSize(HalfEdge outgoing) const;
+    bool isAloneInRing(std::size_t vertex, std::uint32_t corners) const;
 
     std::span<const Triangle> m_triangles;
     const Adjacency& m_adjacency;
     const std::vector<bool>& m_refused;
+    bool m_allKept;
     std::unique_ptr<Structure> m_structure;
+    std::vector<HalfEdge> m_borders;
     std::vector<std::uint32_t> m_openCorners; // of each vertex: corners in fans with two ends
 };
 
@@ -112,7 +119,9 @@ void Builder::addFaces()
                 m_structure->set_vertex_handle(back, vertexHandle(t[e]));
                 m_structure->set_halfedge_handle(vertexHandle(t[e]), out);
                 m_structure->set_halfedge_handle(vertexHandle(t[(e + 1) % 3]), back);
-                if (other) {
+                if (!other) {
+                    m_borders.push_back(back);
+                } else {
                     halfEdges[3 * indexOf(other->face) + indexOf(other->edge)] = back.idx();
                 }
             }
@@ -144,11 +153,7 @@ HalfEdge Builder::nextOpen(HalfEdge border)
 // the vertex visits them all.
 void Builder::linkBorders()
 {
-    for (std::size_t h = 0; h < m_structure->n_halfedges(); ++h) {
-        const HalfEdge border(static_cast<int>(h));
-        if (!m_structure->is_boundary(border)) {
-            continue;
-        }
+    for (const HalfEdge border : m_borders) {
         const auto vertex = m_structure->to_vertex_handle(border);
         const bool first = m_openCorners[static_cast<std::size_t>(vertex.idx())] == 0;
         const HalfEdge outgoing = nextOpen(border);
@@ -176,6 +181,12 @@ std::uint32_t Builder::ringSize(HalfEdge outgoing) const
     return corners;
 }
 
+bool Builder::isAloneInRing(std::size_t vertex, std::uint32_t corners) const
+{
+    return m_openCorners[vertex] == 0 &&
+           ringSize(m_structure->halfedge_handle(vertexHandle(vertex))) == corners;
+}
+
 std::vector<bool> Builder::crowdedVertices() const
 {
     std::vector<std::uint32_t> corners(m_openCorners.size(), 0);
@@ -186,17 +197,17 @@ std::vector<bool> Builder::crowdedVertices() const
             }
         }
     }
-    std::vector<bool> crowded;
-    for (std::uint32_t v = 0; v < corners.size(); ++v) {
-        const std::uint32_t open = m_openCorners[v];
-        const bool alone = open == 0 && corners[v] > 0 &&
-                           ringSize(m_structure->halfedge_handle(vertexHandle(v))) == corners[v];
-        if (open != corners[v] && !alone) {
-            crowded.resize(corners.size(), false);
-            crowded[v] = true;
+    std::vector<char> isCrowded(corners.size(), 0); // bytes, which threads can write side by side
+    std::atomic<bool> any{false};
+    parallelFor(corners.size(), kVertexGrain, Threads::all(), [&](std::size_t v, std::size_t end) {
+        for (; v < end; ++v) {
+            if (corners[v] != m_openCorners[v] && !isAloneInRing(v, corners[v])) {
+                isCrowded[v] = 1;
+                any = true;
+            }
         }
-    }
-    return crowded;
+    });
+    return any ? std::vector<bool>(isCrowded.begin(), isCrowded.end()) : std::vector<bool>();
 }
 
 void Builder::openRings(const std::vector<bool>& crowded, std::vector<bool>& refused) const

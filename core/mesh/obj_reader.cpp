@@ -159,6 +159,7 @@ private:
     std::span<glm::vec3> m_positions;
     TextScanner m_scanner;
     ObjCounts m_seen;
+    std::vector<std::uint32_t> m_corners; // of the face at hand
 };
 
 Status ObjChunkReader::readVertex()
@@ -237,24 +238,23 @@ Status ObjChunkReader::readCorner()
     if (!m_scanner.atWordEnd()) {
         return TextScanner(start).expected("a corner such as '1', '1/2', '1//3' or '1/2/3'");
     }
-    m_chunk.polygons.addCorner(
+    m_corners.push_back(
         static_cast<std::uint32_t>(*number > 0 ? *number - 1 : m_seen.vertices + *number));
     return {};
 }
 
 Status ObjChunkReader::readFace()
 {
-    std::size_t corners = 0;
+    m_corners.clear();
     while (!m_scanner.atLineEnd()) {
         if (auto status = readCorner(); !status) {
             return status;
         }
-        ++corners;
     }
-    if (corners < 3) {
-        return m_scanner.expected("a face of at least 3 corners", std::to_string(corners));
+    if (m_corners.size() < 3) {
+        return m_scanner.expected("a face of at least 3 corners", std::to_string(m_corners.size()));
     }
-    m_chunk.polygons.closePolygon(corners);
+    m_chunk.polygons.add(m_corners);
     return {};
 }
 
@@ -311,7 +311,8 @@ Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
             return tl::unexpected(chunk.status.error());
         }
     }
-    return cutPolygons(std::move(positions), takePolygons(chunks));
+    std::vector<PolygonList> polygons = takePolygons(chunks);
+    return cutPolygons(std::move(positions), polygons);
 }
 
 } // namespace trixel

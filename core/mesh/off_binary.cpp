@@ -88,7 +88,7 @@ public:
                 return status;
             }
         }
-        m_polygons.reserve(3 * m_faces);
+        m_polygons.reserve(m_faces);
         for (std::size_t f = 0; f < m_faces; ++f) {
             if (auto status = readFace(); !status) {
                 return status;
@@ -123,6 +123,7 @@ private:
     std::size_t m_faces = 0;
     std::vector<glm::vec3> m_positions;
     PolygonList m_polygons;
+    std::vector<std::uint32_t> m_corners; // of the face at hand
 };
 
 Status BinaryOffReader::readCounts()
@@ -187,6 +188,7 @@ Status BinaryOffReader::readFace()
         return ByteScanner::expectedAt(
             start, "a face that fits the rest of the file", std::to_string(corners) + " corners");
     }
+    m_corners.clear();
     for (std::int32_t i = 0; i < corners; ++i) {
         const std::size_t offset = m_scanner.offset();
         const auto vertex = m_scanner.read<std::int32_t>();
@@ -195,9 +197,9 @@ Status BinaryOffReader::readFace()
                                            "a vertex number below " + std::to_string(m_vertices),
                                            std::to_string(vertex));
         }
-        m_polygons.addCorner(static_cast<std::uint32_t>(vertex));
+        m_corners.push_back(static_cast<std::uint32_t>(vertex));
     }
-    m_polygons.closePolygon(static_cast<std::size_t>(corners));
+    m_polygons.add(m_corners);
     m_scanner.skip(m_layout.faceExtra);
     if (m_layout.countedFaceColours) {
         const std::size_t offset = m_scanner.offset();

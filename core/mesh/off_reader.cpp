@@ -44,7 +44,7 @@ private:
                 return status;
             }
         }
-        m_polygons.reserve(3 * m_faces);
+        m_polygons.reserve(m_faces);
         for (std::size_t f = 0; f < m_faces; ++f) {
             if (auto status = readFace(); !status) {
                 return status;
@@ -72,6 +72,7 @@ private:
     std::size_t m_faces = 0;
     std::vector<glm::vec3> m_positions;
     PolygonList m_polygons;
+    std::vector<std::uint32_t> m_corners; // of the face at hand
 };
 
 Result<std::size_t> AsciiOffReader::readCount(const std::string& what, std::size_t leastBytes)
@@ -168,15 +169,16 @@ Status AsciiOffReader::readFace()
     if (static_cast<std::size_t>(*corners) > m_scanner.rest().size() / 2 + 1) {
         return start.expected("a number of corners that fits the rest of the file");
     }
+    m_corners.clear();
     for (std::int64_t i = 0; i < *corners; ++i) {
         TextScanner corner = m_scanner;
         const auto vertex = m_scanner.integer();
         if (!vertex || *vertex < 0 || static_cast<std::size_t>(*vertex) >= m_vertices) {
             return corner.expected("a vertex number below " + std::to_string(m_vertices));
         }
-        m_polygons.addCorner(static_cast<std::uint32_t>(*vertex));
+        m_corners.push_back(static_cast<std::uint32_t>(*vertex));
     }
-    m_polygons.closePolygon(static_cast<std::size_t>(*corners));
+    m_polygons.add(m_corners);
     const auto colour = skipNumbers(4);
     if (!colour) {
         return tl::unexpected(colour.error());

@@ -178,8 +178,12 @@ private:
         }
         if (&element == m_layout.vertices) {
             m_positions.reserve(element.rows);
+            m_axes.assign(element.properties.size(), -1);
+            for (int axis = 0; axis < 3; ++axis) {
+                m_axes[m_layout.coordinates[static_cast<std::size_t>(axis)]] = axis;
+            }
         } else if (&element == m_layout.faces) {
-            m_polygons.reserve(3 * element.rows);
+            m_polygons.reserve(element.rows);
         }
         for (std::size_t row = 0; row < element.rows; ++row) {
             if (!m_progress.goesOn(m_room - m_source.room())) {
@@ -216,9 +220,7 @@ private:
     {
         glm::vec3 position(0);
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
-            const auto axis =
-                std::find(m_layout.coordinates.begin(), m_layout.coordinates.end(), i);
-            if (axis == m_layout.coordinates.end()) {
+            if (m_axes[i] < 0) {
                 if (auto status = skipProperty(element.properties[i]); !status) {
                     return status;
                 }
@@ -228,7 +230,7 @@ private:
             if (!value) {
                 return m_source.expected("a finite number that fits a float");
             }
-            position[static_cast<int>(axis - m_layout.coordinates.begin())] = *value;
+            position[m_axes[i]] = *value;
         }
         m_positions.push_back(position);
         return {};
@@ -245,14 +247,15 @@ private:
             return m_source.expected("a number of corners that fits the rest of the file");
         }
         const auto vertices = static_cast<std::int64_t>(m_layout.vertices->rows);
+        m_corners.clear();
         for (std::int64_t i = 0; i < *corners; ++i) {
             const auto vertex = m_source.integer(property.type);
             if (!vertex || *vertex < 0 || *vertex >= vertices) {
                 return m_source.expected("a vertex number below " + std::to_string(vertices));
             }
-            m_polygons.addCorner(static_cast<std::uint32_t>(*vertex));
+            m_corners.push_back(static_cast<std::uint32_t>(*vertex));
         }
-        m_polygons.closePolygon(static_cast<std::size_t>(*corners));
+        m_polygons.add(m_corners);
         return {};
     }
 
@@ -281,7 +284,9 @@ private:
     std::size_t m_room;
     RowProgress m_progress;
     std::vector<glm::vec3> m_positions;
+    std::vector<int> m_axes; // of the vertex's properties; -1 for others
     PolygonList m_polygons;
+    std::vector<std::uint32_t> m_corners; // of the face at hand
 };
 
 } // namespace

@@ -98,21 +98,17 @@ public:
 
     std::optional<float> coordinate(PlyType type)
     {
-        const auto value = number(type);
-        if (!value || std::abs(*value) > std::numeric_limits<float>::max() || std::isnan(*value)) {
+        const auto value = number<double>(type);
+        if (!value || !(std::abs(*value) <= double{std::numeric_limits<float>::max()})) {
             return std::nullopt;
         }
         return static_cast<float>(*value);
     }
-    std::optional<std::int64_t> integer(PlyType type)
-    {
-        const auto value = number(type);
-        return value ? std::optional(static_cast<std::int64_t>(*value)) : std::nullopt;
-    }
+    std::optional<std::int64_t> integer(PlyType type) { return number<std::int64_t>(type); }
     bool skip(PlyType type, std::size_t count)
     {
-        m_offset = m_scanner.offset();
-        m_last.reset();
+        m_lastType.reset();
+        m_last = m_scanner;
         if (count > m_scanner.left() / byteSizeOf(type)) {
             return false;
         }
@@ -120,7 +116,10 @@ public:
         return true;
     }
 
-    tl::unexpected<Error> expected(const std::string& what);
+    tl::unexpected<Error> expected(const std::string& what)
+    {
+        return m_last.expected(what, found());
+    }
 
     Status expectEnd()
     {
@@ -132,55 +131,55 @@ public:
     }
 
 private:
-    template <class T>
-    std::optional<double> numberAs()
+    template <class Number, class Stored>
+    std::optional<Number> numberAs()
     {
-        m_offset = m_scanner.offset();
-        m_last.reset();
-        if (m_scanner.has(sizeof(T))) {
-            m_last = static_cast<double>(m_scanner.read<T>());
-        }
-        return m_last;
+        return m_scanner.has(sizeof(Stored))
+                   ? std::optional(static_cast<Number>(m_scanner.read<Stored>()))
+                   : std::nullopt;
     }
-    std::optional<double> number(PlyType type);
+
+    template <class Number>
+    std::optional<Number> number(PlyType type)
+    {
+        m_lastType = type;
+        m_last = m_scanner;
+        switch (type) {
+        case PlyType::Int8:
+            return numberAs<Number, std::int8_t>();
+        case PlyType::Uint8:
+            return numberAs<Number, std::uint8_t>();
+        case PlyType::Int16:
+            return numberAs<Number, std::int16_t>();
+        case PlyType::Uint16:
+            return numberAs<Number, std::uint16_t>();
+        case PlyType::Int32:
+            return numberAs<Number, std::int32_t>();
+        case PlyType::Uint32:
+            return numberAs<Number, std::uint32_t>();
+        case PlyType::Float:
+            return numberAs<Number, float>();
+        case PlyType::Double:
+            return numberAs<Number, double>();
+        }
+        return std::nullopt;
+    }
+
+    // What stood where the last value was read.
+    std::string found()
+    {
+        m_scanner = m_last;
+        const auto value = m_lastType ? number<double>(*m_lastType) : std::nullopt;
+        if (!value) {
+            return "the end of the file";
+        }
+        const bool isWhole = *value == std::floor(*value) && std::abs(*value) < 1e15;
+        return isWhole ? std::to_string(static_cast<std::int64_t>(*value)) : std::to_string(*value);
+    }
 
     ByteScanner m_scanner;
-    std::size_t m_offset = 0;
-    std::optional<double> m_last; // nothing where the file ended
+    ByteScanner m_last = m_scanner;
+    std::optional<PlyType> m_lastType; // nothing where values were skipped
 };
-
-inline std::optional<double> PlyBinarySource::number(PlyType type)
-{
-    switch (type) {
-    case PlyType::Int8:
-        return numberAs<std::int8_t>();
-    case PlyType::Uint8:
-        return numberAs<std::uint8_t>();
-    case PlyType::Int16:
-        return numberAs<std::int16_t>();
-    case PlyType::Uint16:
-        return numberAs<std::uint16_t>();
-    case PlyType::Int32:
-        return numberAs<std::int32_t>();
-    case PlyType::Uint32:
-        return numberAs<std::uint32_t>();
-    case PlyType::Float:
-        return numberAs<float>();
-    case PlyType::Double:
-        return numberAs<double>();
-    }
-    return std::nullopt;
-}
-
-inline tl::unexpected<Error> PlyBinarySource::expected(const std::string& what)
-{
-    std::string found = "the end of the file";
-    if (m_last) {
-        const bool whole = *m_last == std::floor(*m_last) && std::abs(*m_last) < 1e15;
-        found =
-            whole ? std::to_string(static_cast<std::int64_t>(*m_last)) : std::to_string(*m_last);
-    }
-    return ByteScanner::expectedAt(m_offset, what, found);
-}
 
 } // namespace trixel

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <glm/geometric.hpp>
 #include <new>
+#include <numeric>
 
 namespace trixel {
 namespace {
@@ -41,24 +42,34 @@ void cutQuad(std::span<const glm::vec3> positions,
 
 void cutPart(std::span<const glm::vec3> positions,
              const PolygonList& part,
-             std::size_t firstPolygon,
-             std::size_t firstTriangle,
-             TriangleMesh& mesh)
+             std::span<Triangle> triangles)
 {
     std::size_t corner = 0;
-    std::size_t triangle = firstTriangle;
-    for (std::size_t p = 0; p < part.count(); ++p) {
-        const std::size_t size = part.sizeOf(p);
+    std::size_t triangle = 0;
+    for (const std::uint32_t size : part.sizes()) {
         cutPolygon(positions,
                    std::span(part.corners()).subspan(corner, size),
-                   std::span(mesh.triangles).subspan(triangle, size - 2));
-        if (!mesh.sourceFaces.empty()) {
-            std::fill_n(mesh.sourceFaces.begin() + static_cast<std::ptrdiff_t>(triangle),
-                        size - 2,
-                        static_cast<std::uint32_t>(firstPolygon + p));
-        }
+                   triangles.subspan(triangle, size - 2));
         corner += size;
         triangle += size - 2;
+    }
+}
+
+// Which polygon each triangle comes from, counting from `firstPolygon`.
+void nameSources(const PolygonList& part,
+                 std::size_t firstPolygon,
+                 std::span<std::uint32_t> sources)
+{
+    auto source = static_cast<std::uint32_t>(firstPolygon);
+    if (part.allTriangles()) {
+        std::iota(sources.begin(), sources.end(), source);
+        return;
+    }
+    std::size_t triangle = 0;
+    for (const std::uint32_t size : part.sizes()) {
+        std::fill_n(sources.begin() + static_cast<std::ptrdiff_t>(triangle), size - 2, source);
+        triangle += size - 2;
+        ++source;
     }
 }
 
@@ -78,8 +89,7 @@ void cutPolygon(std::span<const glm::vec3> positions,
     }
 }
 
-Result<TriangleMesh> cutPolygons(std::vector<glm::vec3> positions,
-                                 std::span<const PolygonList> parts)
+Result<TriangleMesh> cutPolygons(std::vector<glm::vec3> positions, std::span<PolygonList> parts)
 {
     std::vector<std::size_t> firstPolygons(parts.size() + 1, 0);
     std::vector<std::size_t> firstTriangles(parts.size() + 1, 0);
@@ -98,13 +108,31 @@ Result<TriangleMesh> cutPolygons(std::vector<glm::vec3> positions,
     }
     TriangleMesh mesh;
     mesh.positions = std::move(positions);
+    if (allTriangles && parts.size() == 1) {
+        mesh.triangles = std::move(parts.front().triangles());
+        return mesh;
+    }
     mesh.triangles.resize(firstTriangles.back());
     mesh.sourceFaces.resize(allTriangles ? 0 : firstTriangles.back());
     std::atomic<bool> outOfMemory{false};
+    const auto cutOne = [&](std::size_t i) {
+        const std::size_t size = parts[i].triangleCount();
+        const auto triangles = std::span(mesh.triangles).subspan(firstTriangles[i], size);
+        if (parts[i].allTriangles()) {
+            std::copy_n(parts[i].triangles().begin(), size, triangles.begin());
+        } else {
+            cutPart(mesh.positions, parts[i], triangles);
+        }
+        if (!allTriangles) {
+            nameSources(parts[i],
+                        firstPolygons[i],
+                        std::span(mesh.sourceFaces).subspan(firstTriangles[i], size));
+        }
+    };
     parallelFor(parts.size(), 1, Threads::all(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             try {
-                cutPart(mesh.positions, parts[i], firstPolygons[i], firstTriangles[i], mesh);
+                cutOne(i);
             } catch (const std::bad_alloc&) { // must not leave its thread
                 outOfMemory = true;
             }

@@ -19,8 +19,7 @@ void cutPolygon(std::span<const glm::vec3> positions,
                 std::span<Triangle> triangles);
 
 /// The mesh of all polygons in their order; fails where there is none, or 2^30 triangles or more.
-/// \param parts  refer to vertices below positions.size()
-Result<TriangleMesh> cutPolygons(std::vector<glm::vec3> positions,
-                                 std::span<const PolygonList> parts);
+/// \param parts  refer to vertices below positions.size(); may be emptied
+Result<TriangleMesh> cutPolygons(std::vector<glm::vec3> positions, std::span<PolygonList> parts);
 
 } // namespace trixel

@@ -1,43 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/triangle_mesh.h"
+
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace trixel {
 
-/// Polygons as a file lists them: the vertex numbers of one after the other.
+/// Polygons as a file lists them, kept compact while all are triangles.
 class PolygonList
 {
 public:
-    void reserve(std::size_t corners) { m_corners.reserve(corners); }
+    /// Room for so many triangles.
+    void reserve(std::size_t triangles) { m_triangles.reserve(triangles); }
 
-    void addCorner(std::uint32_t vertex) { m_corners.push_back(vertex); }
-
-    /// Ends a polygon of the `corners` corners added last, at least three.
-    void closePolygon(std::size_t corners)
+    /// \param corners  vertex numbers, at least three
+    void add(std::span<const std::uint32_t> corners)
     {
-        if (corners != 3 && m_sizes.empty()) {
-            m_sizes.assign(m_count, 3);
+        if (corners.size() == 3 && allTriangles()) {
+            m_triangles.push_back({corners[0], corners[1], corners[2]});
+        } else {
+            addPolygon(corners);
         }
-        if (corners != 3 || !m_sizes.empty()) {
-            m_sizes.push_back(static_cast<std::uint32_t>(corners));
-        }
-        ++m_count;
     }
 
-    std::size_t count() const { return m_count; }
-    bool allTriangles() const { return m_sizes.empty(); }
-    std::size_t triangleCount() const { return m_corners.size() - 2 * m_count; }
+    std::size_t count() const { return allTriangles() ? m_triangles.size() : m_sizes.size(); }
+    std::size_t triangleCount() const
+    {
+        return allTriangles() ? m_triangles.size() : m_corners.size() - 2 * m_sizes.size();
+    }
 
+    bool allTriangles() const { return m_sizes.empty(); }
+    /// All of them where all are triangles, otherwise none.
+    std::vector<Triangle>& triangles() { return m_triangles; }
+
+    /// Where not all are triangles: corners of each polygon, and all corners one after the other.
+    const std::vector<std::uint32_t>& sizes() const { return m_sizes; }
     const std::vector<std::uint32_t>& corners() const { return m_corners; }
-    std::size_t sizeOf(std::size_t polygon) const { return m_sizes.empty() ? 3 : m_sizes[polygon]; }
 
 private:
+    void addPolygon(std::span<const std::uint32_t> corners);
+
+    std::vector<Triangle> m_triangles; // while all are
+    std::vector<std::uint32_t> m_sizes;
     std::vector<std::uint32_t> m_corners;
-    std::vector<std::uint32_t> m_sizes; // empty while all are triangles
-    std::size_t m_count = 0;
 };
 
 } // namespace trixel
