@@ -80,6 +80,8 @@ public:
         return m_painter ? m_painter->takeTouched() : std::vector<TouchedRect>();
     }
 
+    void lift() { m_path.lift(); }
+
     TexelPatch finish(const TexelStore& store)
     {
         return m_painter ? m_painter->finish(store) : TexelPatch();
@@ -151,6 +153,11 @@ Stroke& Stroke::operator=(Stroke&&) noexcept = default;
 std::vector<TouchedRect> Stroke::add(const StrokeSample& sample, TexelStore& store)
 {
     return m_state->add(sample, store);
+}
+
+void Stroke::lift()
+{
+    m_state->lift();
 }
 
 TexelPatch Stroke::finish(const TexelStore& store)

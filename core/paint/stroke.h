@@ -64,6 +64,11 @@ public:
     /// Samples with a face out of range or a position that is not finite are ignored.
     std::vector<TouchedRect> add(const StrokeSample& sample, TexelStore& store);
 
+    /// The pointer left the surface or came to another part of it: the next sample starts a new
+    /// path, with no dabs on the way there. Opacity still caps, and undo still takes back, the
+    /// whole stroke.
+    void lift();
+
     /// Ends the stroke: a patch of exactly the texels it changed, as they were before.
     TexelPatch finish(const TexelStore& store);
 

@@ -32,6 +32,9 @@ public:
     /// \param pressure  [0,1]
     void moveTo(glm::vec3 position, float pressure, const std::function<void(const Point&)>& place);
 
+    /// The next sample starts afresh, as the first did: nothing is placed on the way to it.
+    void lift() { m_started = false; }
+
     static constexpr int kMaxDabs = 20'000;
 
 private:

@@ -122,6 +122,13 @@ void Document::extendStroke(const StrokeSample& sample)
     }
 }
 
+void Document::liftStroke()
+{
+    if (m_stroke) {
+        m_stroke->lift();
+    }
+}
+
 void Document::endStroke()
 {
     if (!m_stroke) {

@@ -65,6 +65,8 @@ public:
     void beginStroke(const Brush& brush);
     /// Does nothing without a stroke in progress.
     void extendStroke(const StrokeSample& sample);
+    /// The pointer came to another part of the surface: no dabs on the way there.
+    void liftStroke();
     /// Pushes the stroke as one undo step (nothing if it changed nothing).
     void endStroke();
     /// Takes back a stroke in progress.

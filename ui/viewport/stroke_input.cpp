@@ -50,8 +50,7 @@ void StrokeInput::add(const std::optional<SurfacePoint>& hit,
         return;
     }
     if (m_hasSamples && jumped(*hit, sample.position, worldPerPixel)) {
-        m_document.endStroke();
-        m_document.beginStroke(m_brush);
+        m_document.liftStroke();
     }
     m_document.extendStroke(
         {hit->face, hit->uv, sample.pressure, std::max(sample.time - m_startTime, 0.0)});

@@ -247,6 +247,30 @@ TEST(Stroke, snapshotsBetweenSamplesAndThreadsChangeNothing)
     EXPECT_FALSE(sameToTheBit(snapshots.front(), watched));
 }
 
+TEST(Stroke, aLiftedStrokeLeavesTheGapUnpaintedAndStillCapsAsOne)
+{
+    const auto surface = surfaceOf(test::gridMesh(1));
+    Brush brush = whiteBrush(0.1F);
+    brush.opacity = 0.5F;
+    TexelStore store = coverageStore(uniform(2, 6));
+    const TexelStore before = store;
+    Stroke stroke(surface, brush, zeroFill(store));
+    stroke.add(onSquare(0.15F, 0.2F), store);
+    stroke.lift();
+    stroke.add(onSquare(0.85F, 0.2F), store);
+    stroke.lift();
+    stroke.add(onSquare(0.15F, 0.2F), store); // over the first dab again
+    EXPECT_EQ(largest(store), 0.5F);
+    test::forEachTexel(surface->mesh(), store, [&](FaceId face, TexelIndex texel, glm::dvec3 at) {
+        if (at.x > 0.26 && at.x < 0.74) {
+            ASSERT_EQ(valueAt(store, face, texel), 0.0F);
+        }
+    });
+    TexelPatch patch = stroke.finish(store);
+    patch.swap(store);
+    EXPECT_TRUE(sameToTheBit(before, store));
+}
+
 TEST(Stroke, dabsStayOnTheSurfaceBetweenDistantSamples)
 {
     const auto surface = surfaceOf(test::sphereMesh(3));

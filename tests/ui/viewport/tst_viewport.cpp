@@ -477,6 +477,7 @@ private slots:
         QTest::mouseRelease(&viewport, Qt::LeftButton, {}, to);
         QCOMPARE(m_view->texel(kFace1, high), kRed);
         QVERIFY2(paintedTexels(*m_view) <= 4, qPrintable(QString::number(paintedTexels(*m_view))));
+        QCOMPARE(m_view->document.undoStack().count(), 1); // one stroke, one step
     }
 
     void anUndoDuringAStrokeEndsItWithoutHarm()
