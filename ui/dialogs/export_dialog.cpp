@@ -109,6 +109,9 @@ void ExportDialog::checkPath()
     } else if (usable && !file.absoluteDir().exists()) {
         note = tr("The folder %1 does not exist.").arg(file.absolutePath());
         usable = false;
+    } else if (usable && !QFileInfo(file.absolutePath()).isWritable()) {
+        note = tr("The folder %1 cannot be written to.").arg(file.absolutePath());
+        usable = false;
     } else if (usable && file.exists()) {
         note = tr("%1 exists and will be replaced.").arg(file.fileName());
     }

@@ -25,17 +25,23 @@ QColor BrushColors::color() const
 
 void BrushColors::choose(const QColor& color)
 {
-    const QColor chosen = usable(color);
-    std::erase(m_recent, chosen);
-    m_recent.insert(m_recent.begin(), chosen);
+    setColor(usable(color));
+}
+
+void BrushColors::remember()
+{
+    const QColor used = color();
+    if (!m_recent.empty() && m_recent.front() == used) {
+        return;
+    }
+    std::erase(m_recent, used);
+    m_recent.insert(m_recent.begin(), used);
     m_recent.resize(std::min(m_recent.size(), kRecentMax));
-    setColor(chosen);
+    emit changed();
 }
 
 void BrushColors::choose(const std::array<float, 4>& color)
 {
-    const auto channel = [&color](std::size_t k) { return std::clamp(color[k], 0.0F, 1.0F); };
-    choose(QColor::fromRgbF(channel(0), channel(1), channel(2), channel(3)));
     // Values beyond [0,1], or finer than a QColor holds, are painted as they were picked.
     Brush brush = m_settings.brush();
     brush.color = color;

@@ -27,9 +27,12 @@ public:
     /// Latest first, each once.
     const std::vector<QColor>& recent() const { return m_recent; }
 
-    /// A colour chosen by hand: painted with from now on, and remembered.
+    /// Paints with this from now on.
     void choose(const QColor& color);
+    /// The same with channel values as picked from a texel, to the last digit.
     void choose(const std::array<float, 4>& color);
+    /// Puts the colour painted with first among the recent ones.
+    void remember();
     void swap();
     /// Black to paint with, white to swap it with.
     void reset();

@@ -86,6 +86,7 @@ QWidget* BrushPanel::makeColors()
     auto* recentLabel = new QLabel(tr("Recent"));
     recentLabel->setToolTip(tr("Colours used before, the latest first"));
     m_recent = new SwatchRow(kSwatchesPerRow, tr("Recent colour"));
+    m_recent->setMinimumHeight(18); // the first colour moves nothing
     auto* recent = new QHBoxLayout;
     recent->setSpacing(6);
     recent->addWidget(recentLabel);

@@ -40,6 +40,7 @@ ReportPanel::ReportPanel(QWidget* parent)
     layout->setSpacing(6);
     layout->addWidget(m_summary);
     layout->addWidget(m_tree, 1);
+    layout->addStretch(0);
 
     m_summary->setWordWrap(true);
     m_summary->setToolTip(tr("What the mesh is made of"));
@@ -61,6 +62,7 @@ ReportPanel::ReportPanel(QWidget* parent)
 void ReportPanel::show(const Surface* surface)
 {
     m_tree->clear();
+    m_tree->setVisible(surface != nullptr && !surface->report().isClean());
     if (surface == nullptr) {
         m_summary->setText(tr("No mesh is open."));
         return;

@@ -183,7 +183,10 @@ void ProjectFiles::openSample()
             return buildSampleScene(
                 cage.readAll().toStdString(), strokes.readAll().toStdString(), progress);
         },
-        [this](Project project) { m_document.open(std::move(project), {}, tr("Chameleon")); });
+        [this](Project project) {
+            m_document.open(std::move(project), {}, tr("Chameleon"));
+            emit sampleOpened();
+        });
 }
 
 void ProjectFiles::openPtxOn(const QString& ptxPath, const QString& meshPath)

@@ -48,6 +48,7 @@ public:
 signals:
     /// The document now holds this file.
     void opened(const QString& path);
+    void sampleOpened();
     /// A bare mesh was opened with default options.
     void meshOpened(const QString& path);
     void saved(const QString& path);

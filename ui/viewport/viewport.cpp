@@ -8,7 +8,10 @@
 
 #include "ui/viewport/viewport_private.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace trixel::ui {
@@ -16,6 +19,32 @@ namespace trixel::ui {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
+
+struct Box
+{
+    glm::vec3 low{0};
+    glm::vec3 high{0};
+};
+
+/// Of a face and its neighbours.
+Box boxAround(const Surface& surface, FaceId face)
+{
+    const glm::vec3 corner = surface.mesh().corners(face)[0];
+    Box box{corner, corner};
+    const auto include = [&](FaceId included) {
+        for (const glm::vec3& position : surface.mesh().corners(included)) {
+            box.low = glm::min(box.low, position);
+            box.high = glm::max(box.high, position);
+        }
+    };
+    include(face);
+    for (const LocalEdge edge : kLocalEdges) {
+        if (const auto next = surface.adjacency().neighbour(face, edge)) {
+            include(next->face);
+        }
+    }
+    return box;
+}
 
 template <class Event>
 PointerEvent pointerEvent(const Event& event, glm::dvec2 position)
@@ -89,23 +118,27 @@ void Viewport::frameHovered()
         frameAll();
         return;
     }
-    const TriangleMesh& mesh = d->shownSurface->mesh();
-    const Adjacency& adjacency = d->shownSurface->adjacency();
-    const FaceId face = d->hoveredTexel->point.face;
-    glm::vec3 low = d->hoveredTexel->point.position;
-    glm::vec3 high = low;
-    const auto include = [&](FaceId included) {
-        for (const glm::vec3& corner : mesh.corners(included)) {
-            low = glm::min(low, corner);
-            high = glm::max(high, corner);
-        }
-    };
-    include(face);
-    for (const LocalEdge edge : kLocalEdges) {
-        if (const auto next = adjacency.neighbour(face, edge)) {
-            include(next->face);
-        }
+    const auto [low, high] = boxAround(*d->shownSurface, d->hoveredTexel->point.face);
+    d->camera.frame(low, high);
+    d->cameraMoved();
+}
+
+void Viewport::frameFace(FaceId face)
+{
+    if (!d->shownSurface || indexOf(face) >= d->shownSurface->mesh().faceCount()) {
+        return;
     }
+    const auto corners = d->shownSurface->mesh().corners(face);
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
+    const double length = glm::length(normal);
+    if (length > 0 && std::isfinite(length)) {
+        render::CameraPose pose = d->camera.pose();
+        pose.yaw = std::atan2(normal.x, normal.z);
+        pose.pitch = std::asin(std::clamp(normal.y / length, -1.0, 1.0));
+        d->camera.setPose(pose);
+    }
+    const auto [low, high] = boxAround(*d->shownSurface, face);
     d->camera.frame(low, high);
     d->cameraMoved();
 }

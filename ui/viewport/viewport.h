@@ -43,6 +43,9 @@ public:
     void frameAll();
     /// Frames the faces around the hovered point, or all when nothing is hovered.
     void frameHovered();
+    /// Frames a face and its neighbours, looked at from its front. A face that does not exist is
+    /// ignored.
+    void frameFace(FaceId face);
 
     const render::Camera& camera() const;
     void setCamera(const render::CameraPose& pose);

@@ -32,6 +32,13 @@ QString lastFolder()
     return QSettings().value(kFolderKey, QDir::homePath()).toString();
 }
 
+/// The folder last used, or the home folder where nothing can be written to that.
+QString folderToSaveIn()
+{
+    const QString folder = lastFolder();
+    return QFileInfo(folder).isWritable() ? folder : QDir::homePath();
+}
+
 void rememberFolderOf(const QString& path)
 {
     QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
@@ -231,8 +238,8 @@ void FileActions::askForMesh(const QString& ptxPath)
 
 void FileActions::askForExport()
 {
-    const QString start =
-        m_document.path().isEmpty() ? lastFolder() + "/" + m_document.title() : m_document.path();
+    const QString start = m_document.path().isEmpty() ? folderToSaveIn() + "/" + m_document.title()
+                                                      : m_document.path();
     const QFileInfo file(start);
     auto* dialog = new ExportDialog(m_document.snapshot(),
                                     file.absolutePath() + "/" + file.completeBaseName() + ".ptx",
@@ -255,7 +262,7 @@ void FileActions::saveAs(std::function<void()> then)
 {
     const QString start =
         m_document.path().isEmpty()
-            ? lastFolder() + "/" + QFileInfo(m_document.title()).completeBaseName()
+            ? folderToSaveIn() + "/" + QFileInfo(m_document.title()).completeBaseName()
             : m_document.path();
     QFileDialog* dialog = makeFileDialog(m_window, tr("Save As"), QFileInfo(start).absolutePath());
     dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -43,7 +43,12 @@ constexpr QSize kFirstSize(1440, 900);
 constexpr int kIconSize = 20;
 constexpr int kPanelWidth = 310;
 /// Of the surface's size: a first brush that covers a few faces of most meshes.
-constexpr float kFirstRadius = 0.03F;
+constexpr float kFirstRadius = 0.02F;
+
+/// Where the sample shows itself best, degrees.
+constexpr double kSampleYaw = 38;
+constexpr double kSamplePitch = 12;
+constexpr double kSampleCloseness = 1.25;
 
 } // namespace
 
@@ -218,6 +223,16 @@ void MainWindow::connectView()
     connect(m_viewport, &Viewport::colorPicked, this, [this](const std::array<float, 4>& color) {
         m_colors.choose(color);
     });
+    // What was painted with is worth finding again.
+    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (index > 0 && m_settings.tool() != Tool::Eraser) {
+            m_colors.remember();
+        }
+    });
+    connect(&m_files, &ProjectFiles::sampleOpened, m_viewport, [this] {
+        m_viewport->lookFrom(kSampleYaw, kSamplePitch, kSampleCloseness);
+    });
+    connect(m_report, &ReportPanel::faceChosen, m_viewport, &Viewport::frameFace);
     connect(m_viewport, &Viewport::notice, this, [this](const QString& sentence) {
         m_messages->showMessage(MessageBar::Kind::Note, sentence);
     });

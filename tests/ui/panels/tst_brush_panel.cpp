@@ -144,7 +144,7 @@ private slots:
         QCOMPARE(m_settings->tool(), Tool::Eraser);
     }
 
-    void clickedSwatchIsPaintedWithAndRemembered()
+    void clickedSwatchIsPaintedWith()
     {
         SwatchButton* red = nullptr;
         for (SwatchButton* swatch : m_panel->findChildren<SwatchButton*>()) {
@@ -155,6 +155,8 @@ private slots:
         QVERIFY(red);
         QTest::mouseClick(red, Qt::LeftButton);
         QCOMPARE(m_colors->color(), QColor(0xd8342b));
+        QVERIFY(m_colors->recent().empty()); // not before something was painted with it
+        m_colors->remember();
         QCOMPARE(m_colors->recent().front(), QColor(0xd8342b));
         QVERIFY(named<SwatchButton>("Recent colour #d8342b"));
     }
@@ -176,9 +178,11 @@ private slots:
     {
         for (int k = 0; k < 30; ++k) {
             m_colors->choose(QColor(k, 0, 0));
+            m_colors->remember();
         }
         QCOMPARE(m_colors->recent().size(), BrushColors::kRecentMax);
         m_colors->choose(QColor(25, 0, 0));
+        m_colors->remember();
         QCOMPARE(m_colors->recent().size(), BrushColors::kRecentMax);
         QCOMPARE(m_colors->recent().front(), QColor(25, 0, 0));
     }

@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QStatusBar>
@@ -204,6 +205,35 @@ private slots:
         history->setCurrentIndex(history->model()->index(1, 0));
         QCOMPARE(document().undoStack().index(), 1);
         QVERIFY(m_window->isWindowModified());
+    }
+
+    void colorPaintedWithIsRecent()
+    {
+        QVERIFY(!widgetNamed<QWidget>(*m_window, "Recent colour #ff0000"));
+        Brush brush = m_window->settings().brush();
+        brush.color = {1, 0, 0, 1};
+        m_window->settings().setBrush(brush);
+        fillFace(1);
+        QVERIFY(widgetNamed<QWidget>(*m_window, "Recent colour #ff0000"));
+    }
+
+    void goToFaceLooksAtItFromItsFront()
+    {
+        Viewport& view = m_window->viewport();
+        view.lookFrom(150, -20); // from behind
+        press(Qt::Key_G, Qt::ControlModifier);
+        QTRY_VERIFY(openDialog<QInputDialog>());
+        auto* dialog = openDialog<QInputDialog>();
+        dialog->setIntValue(0); // at a corner of the square
+        dialog->accept();
+        QVERIFY(view.camera().forward().z < -0.99);
+        const auto corners = document().surface()->mesh().corners(FaceId{0});
+        const float third = 1 / 3.0F;
+        const auto position =
+            view.widgetPosition({FaceId{0}, {third, third}, pointAt(corners, third, third)});
+        QVERIFY(position.has_value());
+        const double away = QLineF(*position, QRectF(view.rect()).center()).length();
+        QVERIFY2(away < 0.25 * view.height(), qPrintable(QString::number(away)));
     }
 
     void openedMeshSetsABrushThatFitsIt()
