@@ -19,7 +19,9 @@ template <class T>
 PtxMetadata::Value arrayOf(std::span<const std::byte> bytes)
 {
     std::vector<T> values(bytes.size() / sizeof(T));
-    std::memcpy(values.data(), bytes.data(), bytes.size());
+    if (!values.empty()) {
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+    }
     return values;
 }
 

@@ -3,6 +3,7 @@
 #include "core/io/ptx_encode.h"
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_metadata.h"
+#include "core/io/ptx_verify.h"
 #include "core/texture/mips.h"
 #include "tests/core/io/ptx_samples.h"
 
@@ -307,6 +308,40 @@ TEST_F(PtxWriter, floatsKeepTheirBitsWhateverTheyAre)
     const auto bytes = std::as_bytes(std::span(odd));
     std::ranges::copy(bytes, contents.texels.writable(faceId(0)).begin() + 32);
     expectRoundTrip(contents);
+}
+
+TEST_F(PtxWriter, verificationNamesWhatDiffers)
+{
+    PtxContents contents = samples::mixed(formatOf(TexelType::UInt8, 3), std::vector{4, 3, 5, 2});
+    contents.metadata = {{"key", std::string("value")}};
+    write(contents);
+    PtxFaces packed =
+        packPtxFaces(contents.texels, contents.adjacency, true, Threads{2}, m_progress).value();
+    const auto outcome = [&] {
+        const Status status = verifyPtx(m_path, contents, packed, Threads{2}, m_progress);
+        return status ? std::string("verified") : status.error().message;
+    };
+    const PtxContents meant = contents;
+    const PtxFaces meantPacked = packed;
+    EXPECT_EQ(outcome(), "verified");
+    contents.texels.writable(faceId(2))[700] ^= std::byte{1};
+    EXPECT_THAT(outcome(), testing::HasSubstr("face 2"));
+    contents = meant;
+    contents.texels.exchange(
+        faceId(3), FaceTexels::constant(Level(2), std::vector<std::byte>(3, std::byte{1})));
+    EXPECT_THAT(outcome(), testing::HasSubstr("face 3"));
+    contents = meant;
+    contents.metadata[0].value = std::string("other");
+    EXPECT_THAT(outcome(), testing::HasSubstr("metadata"));
+    contents = meant;
+    packed.infos[1].adjacentFaces[0] = -1;
+    EXPECT_THAT(outcome(), testing::HasSubstr("info of face 1"));
+    packed = meantPacked;
+    packed.constants[4] ^= std::byte{1};
+    EXPECT_THAT(outcome(), testing::HasSubstr("average of face 1"));
+    packed = meantPacked;
+    packed.chunks[0].reductions[5][1].bytes.back() ^= std::byte{1};
+    EXPECT_THAT(outcome(), testing::HasSubstr("reduced 2 times"));
 }
 
 TEST_F(PtxWriter, cancellingLeavesTheOldFile)

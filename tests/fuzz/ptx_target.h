@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/io/project_metadata.h"
+#include "core/io/ptx_reader.h"
+
+#include <string_view>
+
+namespace trixel {
+
+/// Reads everything there is to read of a .ptx: every level of every face, metadata, links, mesh.
+inline void readAllOfPtx(std::string_view bytes)
+{
+    constexpr std::uint64_t kBudgetBytes = std::uint64_t{4} << 20U;
+    MemoryBudget budget(kBudgetBytes);
+    const auto file = PtxFile::open(memorySource(bytes), budget);
+    if (!file) {
+        return;
+    }
+    NoProgress progress;
+    const auto contents = readContents(*file, budget, progress);
+    if (contents && carriesMesh(contents->metadata)) {
+        (void)meshOf(contents->metadata, file->faceCount());
+    }
+    PtxDecoder decoder;
+    std::uint64_t left = kBudgetBytes;
+    for (std::uint32_t face = 0; face < file->faceCount(); ++face) {
+        for (int reduction = 1; reduction < file->levelCount(); ++reduction) {
+            const std::uint64_t size =
+                std::uint64_t{file->info(faceId(face)).level().coarser(reduction).texelCount()} *
+                file->format().texelBytes();
+            if (!file->block(faceId(face), reduction) || size > left) {
+                continue;
+            }
+            left -= size;
+            (void)file->texels(faceId(face), reduction, decoder);
+        }
+    }
+}
+
+} // namespace trixel
