@@ -245,6 +245,7 @@ void ProjectFiles::save(const QString& path)
 void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
 {
     m_document.endStroke();
+    ++m_exporting;
     m_jobs.run(
         tr("Exporting %1…").arg(fileName(path)),
         [file = toPath(path), project = m_document.snapshot(), type, mips](
@@ -262,11 +263,13 @@ void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
             return trixel::exportPtx(file, project, {.mips = mips}, writing);
         },
         [this, path](const Status& status) {
+            --m_exporting;
             if (status) {
                 emit exported(path);
             } else {
                 tell(status.error());
             }
+            emit exportEnded();
         });
 }
 

@@ -44,6 +44,7 @@ public:
     void exportPtx(const QString& path, TexelType type, bool mips);
 
     bool isSaving() const { return m_saving > 0; }
+    bool isExporting() const { return m_exporting > 0; }
 
 signals:
     /// The document now holds this file.
@@ -53,6 +54,8 @@ signals:
     void meshOpened(const QString& path);
     void saved(const QString& path);
     void exported(const QString& path);
+    /// An export ended, well or not.
+    void exportEnded();
     /// The `.ptx` is sound but does not bring its mesh.
     void meshWanted(const QString& ptxPath);
     /// One sentence naming the file and the cause. Nothing is told of cancelled work.
@@ -74,6 +77,7 @@ private:
     QPointer<BackgroundJob> m_loading;
     quint64 m_generation = 0; ///< of the latest load; answers to earlier ones are stale
     int m_saving = 0;
+    int m_exporting = 0;
 };
 
 } // namespace trixel::ui

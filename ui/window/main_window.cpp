@@ -295,11 +295,24 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     event->ignore();
-    m_fileActions->withoutLoss([this] {
-        m_mayClose = true;
-        // Not from within the event that asks.
-        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
-    });
+    m_fileActions->withoutLoss([this] { closeAfterExport(); });
+}
+
+/// An export is work the user waits for: closing lets it end (or be cancelled) first.
+void MainWindow::closeAfterExport()
+{
+    if (m_files.isExporting()) {
+        statusBar()->showMessage(tr("Closing when the export is done…"));
+        connect(&m_files,
+                &ProjectFiles::exportEnded,
+                this,
+                &MainWindow::closeAfterExport,
+                static_cast<Qt::ConnectionType>(Qt::SingleShotConnection | Qt::UniqueConnection));
+        return;
+    }
+    m_mayClose = true;
+    // Not from within the event that asks.
+    QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

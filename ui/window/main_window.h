@@ -62,6 +62,7 @@ private:
     void showTitle();
     void showCommands();
     void showAbout();
+    void closeAfterExport();
     void restore();
     void remember() const;
 

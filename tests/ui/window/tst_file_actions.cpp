@@ -38,7 +38,10 @@ private slots:
         QTRY_COMPARE(document().texels().faceCount(), 2U);
         QCOMPARE(m_window->windowTitle(), QString("square[*] – Trixel"));
 
-        fillFace(1);
+        const TexelStore unpainted = document().texels();
+        paintAcrossTheView();
+        QCOMPARE(document().undoStack().undoText(), QString("Brush stroke"));
+        QCOMPARE(facesThatDiffer(document().texels(), unpainted).size(), std::size_t{2});
         QVERIFY(m_window->isWindowModified());
         const std::vector<std::byte> painted = allTexels(document().texels());
         saveAs("painted");
@@ -132,6 +135,33 @@ private slots:
         QTRY_VERIFY(openDialog<QMessageBox>());
         answer(QMessageBox::Save);
         QTRY_VERIFY(!m_window->isVisible());
+        NoProgress progress;
+        const Result<Project> saved = openProject(path("grid.trixel").toStdString(), progress);
+        QVERIFY(allTexels(saved->texels) == allTexels(document().texels()));
+    }
+
+    void closingWaitsForAnExport()
+    {
+        m_window->document().open(gridProject(64, 4), {}, "grid");
+        m_window->files().exportPtx(path("grid.ptx"), TexelType::Float, true);
+        QVERIFY(m_window->files().isExporting());
+        m_window->close();
+        m_window->close(); // an impatient user
+        QVERIFY(m_window->isVisible());
+        QTRY_VERIFY(!m_window->isVisible());
+        NoProgress progress;
+        QVERIFY(readPtx(path("grid.ptx").toStdString(), progress).has_value());
+    }
+
+    void closingWhileSavingAsksNothingWhenAllIsSaved()
+    {
+        m_window->document().open(gridProject(64, 4), {}, "grid");
+        fillFace(3);
+        m_window->files().save(path("grid.trixel"));
+        QVERIFY(m_window->files().isSaving());
+        m_window->close();
+        QTRY_VERIFY(!m_window->isVisible());
+        QVERIFY(!openDialog<QMessageBox>());
         NoProgress progress;
         const Result<Project> saved = openProject(path("grid.trixel").toStdString(), progress);
         QVERIFY(allTexels(saved->texels) == allTexels(document().texels()));
@@ -238,6 +268,18 @@ private slots:
     }
 
 private:
+    void paintAcrossTheView()
+    {
+        Viewport& view = m_window->viewport();
+        QVERIFY(view.canDraw());
+        const QPoint middle = view.rect().center();
+        QTest::mousePress(&view, Qt::LeftButton, {}, middle - QPoint(60, 60));
+        for (int k = -50; k <= 60; k += 10) {
+            QTest::mouseMove(&view, middle + QPoint(k, k));
+        }
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(60, 60));
+    }
+
     void saveAs(const QString& name)
     {
         press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);

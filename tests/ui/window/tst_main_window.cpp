@@ -3,9 +3,12 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QInputDialog>
+#include <QProgressBar>
 #include <QScrollArea>
 #include <QSignalSpy>
 #include <QStatusBar>
+#include <QThread>
+#include <QToolButton>
 #include <QUndoView>
 
 #include "tests/ui/window/window_fixture.h"
@@ -60,6 +63,40 @@ private slots:
         QCOMPARE(m_window->settings().tool(), Tool::Pick);
         QTest::keyRelease(focus, Qt::Key_S);
         QCOMPARE(m_window->settings().tool(), Tool::Fill);
+    }
+
+    void lettersHeldInAFieldPickNothing()
+    {
+        auto* radius = widgetNamed<QDoubleSpinBox>(*m_window, "Radius");
+        radius->setFocus();
+        QTest::keyPress(radius, Qt::Key_S);
+        QCOMPARE(m_window->settings().tool(), Tool::Brush);
+        QTest::keyRelease(radius, Qt::Key_S);
+        QCOMPARE(m_window->settings().tool(), Tool::Brush);
+    }
+
+    void longWorkShowsProgressAndCanBeCancelled()
+    {
+        QVERIFY(!widgetNamed<QToolButton>(*m_window, "Cancel the work under way"));
+        std::optional<ErrorKind> outcome;
+        m_window->jobs().run(
+            "Counting…",
+            [](Progress& progress) -> Result<int> {
+                while (progress.report(0.5)) {
+                    QThread::msleep(1);
+                }
+                return cancelled();
+            },
+            [&outcome](const Result<int>& result) { outcome = result.error().kind; });
+        QTRY_VERIFY(widgetNamed<QToolButton>(*m_window, "Cancel the work under way"));
+        auto* progress = widgetNamed<QProgressBar>(*m_window, "Progress");
+        QTRY_COMPARE(progress->value(), progress->maximum() / 2);
+        fillFace(4); // the window stays usable
+        QVERIFY(document().isModified());
+        QTest::mouseClick(widgetNamed<QToolButton>(*m_window, "Cancel the work under way"),
+                          Qt::LeftButton);
+        QTRY_COMPARE(outcome, ErrorKind::Cancelled);
+        QVERIFY(!widgetNamed<QToolButton>(*m_window, "Cancel the work under way"));
     }
 
     void sizeKeysScaleTheBrushWithinBounds()
