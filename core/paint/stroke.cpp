@@ -82,9 +82,14 @@ public:
 
     void lift() { m_path.lift(); }
 
-    TexelPatch finish(const TexelStore& store)
+    TexelPatch finish(TexelStore& store)
     {
-        return m_painter ? m_painter->finish(store) : TexelPatch();
+        if (!m_painter) {
+            return {};
+        }
+        TexelPatch patch = m_painter->finish(store);
+        patch.collapseFaces(store);
+        return patch;
     }
 
 private:
@@ -160,7 +165,7 @@ void Stroke::lift()
     m_state->lift();
 }
 
-TexelPatch Stroke::finish(const TexelStore& store)
+TexelPatch Stroke::finish(TexelStore& store)
 {
     return m_state->finish(store);
 }

@@ -69,8 +69,9 @@ public:
     /// whole stroke.
     void lift();
 
-    /// Ends the stroke: a patch of exactly the texels it changed, as they were before.
-    TexelPatch finish(const TexelStore& store);
+    /// Ends the stroke: a patch of exactly the texels it changed, as they were before. Faces
+    /// that the stroke left of one colour store one value from now on.
+    TexelPatch finish(TexelStore& store);
 
 private:
     class State;

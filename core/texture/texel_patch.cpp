@@ -8,6 +8,22 @@
 
 namespace trixel {
 
+namespace {
+
+void swapRuns(TexelPatch::Texels& part, std::span<std::byte> texels, std::size_t texelBytes)
+{
+    auto value = part.values.begin();
+    for (const TexelPatch::Run& run : part.runs) {
+        const std::size_t first = run.first * texelBytes;
+        const std::size_t size = run.count * texelBytes;
+        check(first + size <= texels.size(), "run inside the face");
+        std::ranges::swap_ranges(texels.subspan(first, size), std::span(value, size));
+        value += static_cast<std::ptrdiff_t>(size);
+    }
+}
+
+} // namespace
+
 void TexelPatch::addTexels(FaceId face,
                            std::span<const Run> runs,
                            std::span<const std::byte> before)
@@ -34,19 +50,30 @@ void TexelPatch::swap(TexelStore& store)
 {
     const std::size_t texelBytes = store.format().texelBytes();
     for (Texels& part : m_texels) {
-        const std::span<std::byte> texels = store.writable(part.face);
-        auto value = part.values.begin();
-        for (const Run& run : part.runs) {
-            const std::size_t first = run.first * texelBytes;
-            const std::size_t size = run.count * texelBytes;
-            check(first + size <= texels.size(), "run inside the face");
-            std::ranges::swap_ranges(texels.subspan(first, size), std::span(value, size));
-            value += static_cast<std::ptrdiff_t>(size);
-        }
+        swapRuns(part, store.writable(part.face), texelBytes);
     }
     for (Whole& part : m_whole) {
         part.texels = store.exchange(part.face, std::move(part.texels));
     }
+}
+
+void TexelPatch::collapseFaces(TexelStore& store)
+{
+    for (const Whole& part : m_whole) {
+        store.exchange(part.face, store.face(part.face).collapsed());
+    }
+    std::vector<Texels> kept;
+    for (Texels& part : m_texels) {
+        FaceTexels one = store.face(part.face).collapsed();
+        if (!one.isConstant()) {
+            kept.push_back(std::move(part));
+            continue;
+        }
+        // Taken back in place, the face is what it was before the change.
+        swapRuns(part, store.writable(part.face), store.format().texelBytes());
+        m_whole.push_back({part.face, store.exchange(part.face, std::move(one))});
+    }
+    m_texels = std::move(kept);
 }
 
 std::size_t TexelPatch::byteSize() const

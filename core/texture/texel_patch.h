@@ -52,6 +52,10 @@ public:
     /// for, or the one it leads to: runs lie inside their faces (checked).
     void swap(TexelStore& store);
 
+    /// Makes the store keep one value for each touched face that the change left of one colour;
+    /// swapping still brings back what was there before.
+    void collapseFaces(TexelStore& store);
+
     /// The faces the patch touches, in the order they were added; each once.
     std::span<const FaceId> faces() const { return m_faces; }
     std::span<const Texels> texels() const { return m_texels; }

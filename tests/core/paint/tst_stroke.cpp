@@ -243,6 +243,7 @@ TEST(Stroke, snapshotsBetweenSamplesAndThreadsChangeNothing)
         stroke.add(sample, watched);
         snapshots.push_back(watched);
     }
+    stroke.finish(watched);
     EXPECT_TRUE(sameToTheBit(plain, watched));
     EXPECT_FALSE(sameToTheBit(snapshots.front(), watched));
 }

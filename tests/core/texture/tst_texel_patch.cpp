@@ -84,6 +84,35 @@ TEST(TexelPatch, swappingTwiceChangesNothingOverRandomPrograms)
     }
 }
 
+TEST(TexelPatch, facesLeftOfOneColourStoreOneValueAndComeBackOnUndo)
+{
+    TexelStore store(3, TexelFormat{}, Level(2), kGrey);
+    store.writable(faceId(0))[0] = std::byte{7}; // two colours
+    store.writable(faceId(1))[0] = std::byte{7};
+    store.writable(faceId(2)); // one colour, spread out
+    const std::vector<FaceTexels> before = facesOf(store);
+
+    TexelPatch patch;
+    const TexelPatch::Run firstTexel{0, 1};
+    for (std::size_t k = 0; k < 2; ++k) {
+        patch.addTexels(faceId(k), std::span(&firstTexel, 1), store.face(faceId(k)).texel(0));
+        std::ranges::copy(kRed, store.writable(faceId(k)).begin());
+    }
+    std::ranges::copy(kGrey, store.writable(faceId(1)).begin()); // face 1 is all grey now
+    patch.addFace(faceId(2), store.face(faceId(2)));
+    patch.collapseFaces(store);
+
+    EXPECT_FALSE(store.face(faceId(0)).isConstant());
+    EXPECT_TRUE(store.face(faceId(1)).isConstant());
+    EXPECT_TRUE(store.face(faceId(2)).isConstant());
+    const std::vector<FaceTexels> after = facesOf(store);
+    patch.swap(store);
+    EXPECT_TRUE(sameToTheBit(facesOf(store), before));
+    patch.swap(store);
+    EXPECT_TRUE(sameToTheBit(facesOf(store), after));
+    EXPECT_EQ(patch.faces().size(), 3U);
+}
+
 TEST(TexelPatch, snapshotsOfTheStoreAreNotTouchedBySwaps)
 {
     TexelStore store(3, TexelFormat{}, Level(2), kGrey);
