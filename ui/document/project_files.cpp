@@ -26,24 +26,33 @@ QString fileName(const QString& path)
     return QFileInfo(path).fileName();
 }
 
-/// A `.ptx` and, when its own mesh is missing, only the news of that.
+/// An error as the window says it: the file without its folders, a full stop at the end.
+QString sentenceOf(const Error& error, const QString& path)
+{
+    QString sentence = QString::fromStdString(error.message);
+    sentence.replace(path, fileName(path));
+    return sentence.endsWith('.') ? sentence : sentence + '.';
+}
+
+/// A `.ptx` or, when only its mesh is at fault, why.
 struct PtxOutcome
 {
     std::optional<Project> project;
+    Error meshFault;
 };
 
 Result<PtxOutcome> readPtxProject(const std::filesystem::path& path, Progress& progress)
 {
     Result<Project> project = openPtx(path, progress);
     if (project) {
-        return PtxOutcome{std::move(*project)};
+        return PtxOutcome{std::move(*project), {}};
     }
     if (project.error().kind != ErrorKind::Contents) {
         return tl::unexpected(project.error());
     }
     // The texels may be sound and only the mesh be missing, which the user can mend.
     if (readPtx(path, progress)) {
-        return PtxOutcome{};
+        return PtxOutcome{{}, project.error()};
     }
     return tl::unexpected(project.error());
 }
@@ -104,14 +113,14 @@ void ProjectFiles::load(const QString& path, Work work, Then then)
     const quint64 generation = ++m_generation;
     m_loading = &m_jobs.run(tr("Opening %1…").arg(fileName(path)),
                             std::move(work),
-                            [this, generation, then = std::move(then)](auto result) {
+                            [this, path, generation, then = std::move(then)](auto result) {
                                 if (generation != m_generation) {
                                     return;
                                 }
                                 if (result) {
                                     then(std::move(*result));
                                 } else {
-                                    tell(result.error());
+                                    tell(result.error(), path);
                                 }
                             });
 }
@@ -151,7 +160,7 @@ void ProjectFiles::openPtxFile(const QString& path)
         [file = toPath(path)](Progress& progress) { return readPtxProject(file, progress); },
         [this, path](PtxOutcome outcome) {
             if (!outcome.project) {
-                emit meshWanted(path);
+                emit meshWanted(path, sentenceOf(outcome.meshFault, path));
                 return;
             }
             m_document.open(std::move(*outcome.project), {}, fileName(path));
@@ -230,7 +239,7 @@ void ProjectFiles::save(const QString& path)
             --m_saving;
             emit savingChanged();
             if (!status) {
-                tell(status.error());
+                tell(status.error(), path);
             } else {
                 // Another project may have been opened while this one was being written.
                 if (m_document.openedState() == project) {
@@ -267,16 +276,16 @@ void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
             if (status) {
                 emit exported(path);
             } else {
-                tell(status.error());
+                tell(status.error(), path);
             }
             emit exportEnded();
         });
 }
 
-void ProjectFiles::tell(const Error& error)
+void ProjectFiles::tell(const Error& error, const QString& path)
 {
     if (error.kind != ErrorKind::Cancelled) {
-        emit failed(QString::fromStdString(error.message));
+        emit failed(sentenceOf(error, path));
     }
 }
 

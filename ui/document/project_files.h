@@ -56,8 +56,8 @@ signals:
     void exported(const QString& path);
     /// An export ended, well or not.
     void exportEnded();
-    /// The `.ptx` is sound but does not bring its mesh.
-    void meshWanted(const QString& ptxPath);
+    /// The texels of the `.ptx` are sound but its mesh is missing or damaged, as the sentence says.
+    void meshWanted(const QString& ptxPath, const QString& sentence);
     /// One sentence naming the file and the cause. Nothing is told of cancelled work.
     void failed(const QString& sentence);
     void savingChanged();
@@ -70,7 +70,7 @@ private:
     void openProjectFile(const QString& path);
     void openPtxFile(const QString& path);
     void openMeshFile(const QString& path);
-    void tell(const Error& error);
+    void tell(const Error& error, const QString& path);
 
     Document& m_document;
     BackgroundJobs& m_jobs;

@@ -132,12 +132,15 @@ void FileActions::listen()
     });
     connect(&m_files, &ProjectFiles::savingChanged, this, &FileActions::enable);
     connect(&m_files, &ProjectFiles::meshOpened, this, &FileActions::tellOfMesh);
-    connect(&m_files, &ProjectFiles::meshWanted, this, [this](const QString& ptxPath) {
-        m_messages.showMessage(
-            MessageBar::Kind::Note,
-            tr("%1 holds texels but not the mesh they lie on.").arg(QFileInfo(ptxPath).fileName()),
-            {tr("Choose &Mesh…"), [this, ptxPath] { askForMesh(ptxPath); }});
-    });
+    connect(&m_files,
+            &ProjectFiles::meshWanted,
+            this,
+            [this](const QString& ptxPath, const QString& sentence) {
+                m_messages.showMessage(
+                    MessageBar::Kind::Note, sentence, {tr("Choose &Mesh…"), [this, ptxPath] {
+                                                           askForMesh(ptxPath);
+                                                       }});
+            });
     connect(&m_files, &ProjectFiles::exported, this, [this](const QString& path) {
         const QFileInfo file(path);
         m_messages.showMessage(

@@ -207,7 +207,8 @@ private slots:
         QTRY_COMPARE(failed.count(), 1);
         const QString sentence = failed.at(0).at(0).toString();
         QVERIFY2(sentence.contains(name), qPrintable(sentence));
-        QVERIFY2(!sentence.contains('\n'), qPrintable(sentence));
+        QVERIFY2(!sentence.contains('\n') && sentence.endsWith('.'), qPrintable(sentence));
+        QVERIFY2(!sentence.contains(m_folder->path()), qPrintable(sentence));
         QCOMPARE(m_document->title(), QString("before"));
         QCOMPARE(m_document->undoStack().count(), 1);
         QVERIFY(allTexels(m_document->texels()) == texels);

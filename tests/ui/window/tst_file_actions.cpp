@@ -252,7 +252,7 @@ private slots:
         writeFile(path("square.obj"), kSquareObj);
 
         drop({path("bare.ptx")});
-        QTRY_VERIFY(m_window->messages().sentence().contains("not the mesh"));
+        QTRY_VERIFY(m_window->messages().sentence().contains("does not carry its mesh"));
         QVERIFY(widgetNamed<QPushButton>(m_window->messages(), "Choose Mesh…"));
         drop({path("bare.ptx"), path("square.obj")});
         QTRY_COMPARE(document().texels().faceCount(), 2U);
