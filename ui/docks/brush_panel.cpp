@@ -49,7 +49,6 @@ BrushPanel::BrushPanel(ViewSettings& settings, BrushColors& colors, QWidget* par
     layout->addStretch(1);
 
     connect(&settings, &ViewSettings::brushChanged, this, &BrushPanel::showBrush);
-    connect(&settings, &ViewSettings::toolChanged, this, &BrushPanel::showBrush);
     connect(&colors, &BrushColors::changed, this, &BrushPanel::showColors);
     setSurfaceSize(2.0F);
     showBrush();
@@ -165,28 +164,21 @@ QWidget* BrushPanel::makeSwitches()
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    m_erase = new QCheckBox(tr("&Erase"));
-    m_erase->setToolTip(tr("Go back to the colour the faces had before they were painted (E)"));
-    m_erase->setAccessibleName(tr("Erase"));
-    grid->addWidget(m_erase, 0, 0);
-    connect(m_erase, &QCheckBox::clicked, this, [this](bool on) {
-        m_settings.setTool(on ? Tool::Eraser : Tool::Brush);
-    });
-    grid->addWidget(makeSwitch(tr("Paint &through"),
-                               tr("Paint faces on the far side within the radius too"),
-                               &Brush::paintThrough),
-                    0,
-                    1);
     grid->addWidget(makeSwitch(tr("Pressure to &size"),
                                tr("A pen's pressure scales the radius"),
                                &Brush::pressureToSize),
-                    1,
+                    0,
                     0);
     grid->addWidget(makeSwitch(tr("Pressure to op&acity"),
                                tr("A pen's pressure scales the opacity"),
                                &Brush::pressureToOpacity),
-                    1,
+                    0,
                     1);
+    grid->addWidget(makeSwitch(tr("Paint &through"),
+                               tr("Paint faces on the far side within the radius too"),
+                               &Brush::paintThrough),
+                    1,
+                    0);
     return box;
 }
 
@@ -222,7 +214,6 @@ void BrushPanel::showBrush()
     for (const auto& [box, value] : m_switches) {
         box->setChecked(brush.*value);
     }
-    m_erase->setChecked(m_settings.tool() == Tool::Eraser);
 }
 
 void BrushPanel::showColors()

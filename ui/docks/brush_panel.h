@@ -57,7 +57,6 @@ private:
     SwatchButton* m_back = nullptr;
     SwatchRow* m_recent = nullptr;
     ValueRow* m_radius = nullptr;
-    QCheckBox* m_erase = nullptr;
     std::vector<std::pair<ValueRow*, float Brush::*>> m_percents;
     std::vector<std::pair<QCheckBox*, bool Brush::*>> m_switches;
 };

@@ -2,8 +2,11 @@
 #include "ui/docks/swatches.h"
 
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QStyleOption>
+
+#include <algorithm>
 
 namespace trixel::ui {
 
@@ -83,14 +86,54 @@ void SwatchRow::setColors(const std::vector<QColor>& colors)
         grid->addWidget(swatch, k / m_perRow, k % m_perRow);
         connect(
             swatch, &SwatchButton::clicked, this, [this, swatch] { emit chosen(swatch->color()); });
+        swatch->installEventFilter(this);
         m_swatches.push_back(swatch);
     }
+    m_shown = colors.size();
+    stopAt(std::min(m_stop, m_shown > 0 ? m_shown - 1 : 0));
     for (std::size_t k = 0; k < m_swatches.size(); ++k) {
         m_swatches[k]->setVisible(k < colors.size());
         if (k < colors.size()) {
             m_swatches[k]->setColor(colors[k]);
         }
     }
+}
+
+void SwatchRow::stopAt(std::size_t swatch)
+{
+    m_stop = swatch;
+    for (std::size_t k = 0; k < m_swatches.size(); ++k) {
+        m_swatches[k]->setFocusPolicy(k == m_stop ? Qt::StrongFocus : Qt::ClickFocus);
+    }
+}
+
+bool SwatchRow::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto at = std::ranges::find(m_swatches, watched);
+    if (at == m_swatches.end()) {
+        return false;
+    }
+    const auto here = static_cast<int>(at - m_swatches.begin());
+    if (event->type() == QEvent::FocusIn) {
+        stopAt(static_cast<std::size_t>(here));
+    }
+    if (event->type() != QEvent::KeyPress) {
+        return false;
+    }
+    const int key = static_cast<const QKeyEvent*>(event)->key();
+    const int step = key == Qt::Key_Left    ? -1
+                     : key == Qt::Key_Right ? 1
+                     : key == Qt::Key_Up    ? -m_perRow
+                     : key == Qt::Key_Down  ? m_perRow
+                                            : 0;
+    if (step == 0) {
+        return false;
+    }
+    const int next = here + step;
+    if (next >= 0 && next < static_cast<int>(m_shown)) {
+        m_swatches[static_cast<std::size_t>(next)]->setFocus(Qt::OtherFocusReason);
+    }
+    return true;
 }
 
 const std::vector<QColor>& paletteColors()

@@ -35,7 +35,8 @@ private:
     QString m_purpose;
 };
 
-/// Colours side by side, in rows; clicking one chooses it.
+/// Colours side by side, in rows; clicking one chooses it. One stop of the Tab key: arrow keys go
+/// from colour to colour.
 class SwatchRow : public QWidget
 {
     Q_OBJECT
@@ -46,13 +47,20 @@ public:
 
     void setColors(const std::vector<QColor>& colors);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 signals:
     void chosen(const QColor& color);
 
 private:
+    void stopAt(std::size_t swatch);
+
     int m_perRow;
     QString m_purpose;
     std::vector<SwatchButton*> m_swatches; // children
+    std::size_t m_shown = 0;
+    std::size_t m_stop = 0; ///< where Tab goes
 };
 
 /// The colours a painter reaches for first: greys, then around the colour circle, dark below light.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 #include "ui/docks/brush_colors.h"
 #include "ui/docks/brush_panel.h"
@@ -140,8 +142,13 @@ private slots:
         QVERIFY(m_settings->brush().pressureToOpacity);
         tick("Paint through");
         QVERIFY(m_settings->brush().paintThrough);
-        tick("Erase");
-        QCOMPARE(m_settings->tool(), Tool::Eraser);
+    }
+
+    void erasingIsAToolAndNoSwitchAsWell()
+    {
+        for (const QCheckBox* box : m_panel->findChildren<QCheckBox*>()) {
+            QVERIFY2(!box->text().contains("rase"), qPrintable(box->text()));
+        }
     }
 
     void clickedSwatchIsPaintedWith()
@@ -159,6 +166,31 @@ private slots:
         m_colors->remember();
         QCOMPARE(m_colors->recent().front(), QColor(0xd8342b));
         QVERIFY(named<SwatchButton>("Recent colour #d8342b"));
+    }
+
+    void thePaletteIsOneStopOfTabAndArrowsGoWithinIt()
+    {
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        const std::vector<QColor>& colors = paletteColors();
+        const auto focused = [] {
+            auto* swatch = qobject_cast<SwatchButton*>(QApplication::focusWidget());
+            return swatch != nullptr ? swatch->color() : QColor();
+        };
+        named<QToolButton>("Default colours")->setFocus();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(focused(), colors[0]);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Left); // nothing is there
+        QCOMPARE(focused(), colors[0]);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Right);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+        QCOMPARE(focused(), colors[colors.size() / 2 + 1]);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QCOMPARE(m_colors->color(), colors[colors.size() / 2 + 1]);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY(!focused().isValid());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab);
+        QCOMPARE(focused(), colors[colors.size() / 2 + 1]);
     }
 
     void swapAndResetColors()
