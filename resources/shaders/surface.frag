@@ -114,7 +114,8 @@ void main()
     vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));
 
     vec4 texel = texelColor(resolution);
-    vec3 shown = ALPHA == 1 ? overChecker(texel) : texel.rgb;
+    vec3 own = ALPHA == 1 ? overChecker(texel) : texel.rgb;
+    vec3 shown = own;
     if (LIT == 1) {
         shown = shade(shown, shadingNormal());
     }
@@ -124,7 +125,8 @@ void main()
     if (TEXEL_GRID == 1) {
         vec3 p = bary * float(resolution);
         float line = coverage(abs(p - round(p)), baryPerPixel * float(resolution), 0.5 * lineWidth);
-        float luma = dot(shown, vec3(0.2126, 0.7152, 0.0722));
+        // By the texel's own colour: by the shaded one lines would turn over within a face.
+        float luma = dot(own, vec3(0.2126, 0.7152, 0.0722));
         shown = mix(shown, vec3(luma > 0.45 ? 0.0 : 1.0), 0.38 * line);
     }
     if (WIREFRAME == 1) {

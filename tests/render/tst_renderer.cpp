@@ -406,6 +406,31 @@ private slots:
         QCOMPARE(darkness(2.667 * cell, 3.667 * cell), 0);
     }
 
+    void theTexelGridKeepsItsColourInShade()
+    {
+        const auto lightGrey = std::vector<std::byte>(3, std::byte{200});
+        show(TexelStore(2, TexelFormat{}, Level(2), lightGrey));
+        Scene scene = unlitScene();
+        scene.surface.lit = true;
+        scene.camera.setPose({{0, 0, 0}, 3.6, 1.2, 0}); // almost from the side
+        const QImage plain = m_offscreen->draw(*m_renderer, scene);
+        scene.surface.texelGrid = true;
+        const QImage grid = m_offscreen->draw(*m_renderer, scene);
+        int darker = 0;
+        int lighter = 0;
+        for (int y = 0; y < grid.height(); y += 3) {
+            for (int x = 0; x < grid.width(); ++x) {
+                const int step =
+                    grid.pixelColor(x, y).lightness() - plain.pixelColor(x, y).lightness();
+                darker += step < -4 ? 1 : 0;
+                lighter += step > 4 ? 1 : 0;
+            }
+        }
+        QVERIFY(plain.pixelColor(plain.width() / 2, plain.height() / 2).lightness() < 110);
+        QVERIFY(darker > 100);
+        QCOMPARE(lighter, 0);
+    }
+
     void theTexelGridVanishesWhenTexelsAreSmall()
     {
         const auto white = std::vector<std::byte>(3, std::byte{255});
