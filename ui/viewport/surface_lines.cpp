@@ -22,8 +22,6 @@ constexpr float kHard = 0.95F;
 
 constexpr glm::vec4 kRingColor{1, 1, 1, 0.95F};
 constexpr glm::vec4 kInnerColor{1, 1, 1, 0.5F};
-constexpr glm::vec4 kEllipseColor{0.35F, 0.9F, 1.0F, 0.95F};
-constexpr glm::vec4 kParallelogramColor{1.0F, 0.75F, 0.3F, 0.9F};
 constexpr glm::vec4 kTexelColor{1, 1, 1, 0.85F};
 
 /// Unit normal of a face; zero when it has no area.

@@ -6,12 +6,16 @@
 #include "render/overlay_pass.h"
 #include "ui/viewport/hovered_texel.h"
 
+#include <glm/vec4.hpp>
 #include <vector>
 
 namespace trixel::ui {
 
 /// A pixel's footprint is a pixel large on the screen: it is drawn so many times larger.
 inline constexpr double kFootprintMagnification = 40.0;
+
+inline constexpr glm::vec4 kEllipseColor{0.35F, 0.9F, 1.0F, 0.95F};
+inline constexpr glm::vec4 kParallelogramColor{1.0F, 0.75F, 0.3F, 0.9F};
 
 /// The brush's reach around a point and, where it is not hard, the part painted at full strength;
 /// both are drawn onto the surface nearby.

@@ -221,6 +221,9 @@ void Viewport::resizeEvent(QResizeEvent* event)
             whole->setGeometry(rect());
         }
     }
+    if (d->legend) {
+        d->legend->place();
+    }
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)

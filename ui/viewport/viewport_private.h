@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "ui/document/document.h"
 #include "ui/viewport/canvas.h"
+#include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/stroke_input.h"
 #include "ui/viewport/surface_lines.h"
@@ -54,6 +55,7 @@ public:
     render::Scene scene() const;
     void paintHint();
     void explainNoOpenGl(const QString& reason);
+    void showLegend();
 
     // viewport_hover.cpp: what is under the pointer
     glm::dvec2 devicePosition(QPointF position) const;
@@ -84,6 +86,7 @@ public:
     QFutureWatcher<std::vector<std::uint32_t>> normalsWatcher;
     std::vector<std::uint32_t> normals; ///< empty until they are made
     QLabel* message = nullptr;          ///< in the view's place when it cannot draw
+    FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
 
     std::optional<glm::dvec2> pointer; ///< last position over the view
     std::optional<HoveredTexel> hoveredTexel;

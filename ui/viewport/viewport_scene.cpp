@@ -40,6 +40,7 @@ void Viewport::Private::takeSurface()
         normalsWatcher.setFuture(QtConcurrent::run(
             [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
     }
+    showLegend();
     q.frameAll();
 }
 
@@ -66,6 +67,7 @@ void Viewport::Private::takeView()
         shownTexels.forget();
     }
     shownView = settings.view();
+    showLegend();
     refreshHover();
     redraw();
 }
@@ -81,6 +83,7 @@ void Viewport::Private::makeCanvas()
         new Canvas(*format,
                    {[this] { makeRenderer(); }, [this] { renderer.reset(); }, [this] { draw(); }},
                    &q);
+    legend = new FootprintLegend(&q);
 }
 
 void Viewport::Private::makeRenderer()
@@ -220,6 +223,13 @@ void Viewport::Private::paintHint()
     painter.drawText(q.rect(), Qt::AlignCenter, tr("Open or drop a mesh"));
 }
 
+void Viewport::Private::showLegend()
+{
+    if (legend) {
+        legend->setVisible(shownSurface && shownView.footprint && !message);
+    }
+}
+
 void Viewport::Private::explainNoOpenGl(const QString& reason)
 {
     qCWarning(lcViewport).noquote() << "OpenGL 4.1 is not available." << reason;
@@ -232,6 +242,7 @@ void Viewport::Private::explainNoOpenGl(const QString& reason)
     message->setAutoFillBackground(true);
     message->setGeometry(q.rect());
     message->show();
+    showLegend();
     // Nobody listens yet while the view is being made.
     QMetaObject::invokeMethod(
         &q, [this, sentence] { emit q.notice(sentence); }, Qt::QueuedConnection);

@@ -9,6 +9,7 @@
 #include <QToolBar>
 
 #include "ui/document/document.h"
+#include "ui/viewport/surface_lines.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
 
@@ -50,11 +51,13 @@ ViewActions::ViewActions(const Document& document,
               {Qt::Key_T},
               "texel-grid",
               &ViewOptions::texelGrid);
-    addSwitch(tr("F&ootprint"),
-              tr("Draw the ellipse that the pixel under the pointer averages"),
-              {Qt::Key_O},
-              "footprint",
-              &ViewOptions::footprint);
+    addSwitch(
+        tr("F&ootprint"),
+        tr("Draw the pixel under the pointer and the ellipse that it averages, %1 times larger")
+            .arg(kFootprintMagnification),
+        {Qt::Key_O},
+        "footprint",
+        &ViewOptions::footprint);
     makeMips();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
     connect(&document, &Document::opened, this, &ViewActions::listMips);

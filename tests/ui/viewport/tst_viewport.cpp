@@ -4,6 +4,7 @@
 #include <QWheelEvent>
 
 #include "tests/ui/viewport/view_fixture.h"
+#include "ui/viewport/footprint_legend.h"
 
 #include <cmath>
 #include <optional>
@@ -117,6 +118,21 @@ private slots:
         m_view->settings.setView(options);
         QCOMPARE(m_view->seen(m_view->texelPosition(kFace0, kLower)), QColor(200, 150, 100));
         QCOMPARE(m_view->seen(m_view->texelPosition(kFace1, kUpper)), QColor(200, 150, 100));
+    }
+
+    void theFootprintIsExplainedWhileItIsDrawn()
+    {
+        const auto* legend = m_view->viewport->findChild<FootprintLegend*>();
+        QVERIFY(legend);
+        QVERIFY(legend->isVisible());
+        QVERIFY(legend->text().contains("40× larger"));
+        QVERIFY(m_view->viewport->rect().contains(legend->geometry()));
+        m_view->viewport->resize(500, 300);
+        QVERIFY(m_view->viewport->rect().contains(legend->geometry()));
+        ViewOptions options = m_view->settings.view();
+        options.footprint = false;
+        m_view->settings.setView(options);
+        QVERIFY(!legend->isVisible());
     }
 
     void aClickPaintsTheTexelUnderItAndUndoRestoresIt_data()

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/footprint_legend.h"
+
+#include "ui/viewport/surface_lines.h"
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr int kMargin = 8;
+
+QString colored(const QString& text, glm::vec4 color)
+{
+    const QColor own = QColor::fromRgbF(color.r, color.g, color.b);
+    return QString("<span style='color:%1'>%2</span>").arg(own.name(), text);
+}
+
+} // namespace
+
+FootprintLegend::FootprintLegend(QWidget* view)
+    : QLabel(view)
+{
+    setTextFormat(Qt::RichText);
+    setText(
+        tr("%1 and %2 under the pointer, drawn %3× larger")
+            .arg(colored(tr("Pixel"), kParallelogramColor), colored(tr("ellipse"), kEllipseColor))
+            .arg(kFootprintMagnification));
+    setAccessibleName(tr("What the lines of the footprint are"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    // The view is dark in either theme.
+    QPalette colors;
+    colors.setColor(QPalette::WindowText, QColor(0xc8c8c8));
+    setPalette(colors);
+    hide();
+}
+
+void FootprintLegend::place()
+{
+    adjustSize();
+    move(kMargin, parentWidget()->height() - height() - kMargin);
+}
+
+} // namespace trixel::ui

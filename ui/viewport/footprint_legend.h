@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+
+namespace trixel::ui {
+
+/// A line in the lower left corner of the view that says what the lines of the footprint are, and
+/// that they are drawn larger than they are.
+class FootprintLegend : public QLabel
+{
+    Q_OBJECT
+
+public:
+    explicit FootprintLegend(QWidget* view);
+
+    /// Takes the corner again, after the view has changed its size.
+    void place();
+};
+
+} // namespace trixel::ui
