@@ -12,6 +12,7 @@
 #include "ui/docks/readout_text.h"
 #include "ui/docks/swatches.h"
 #include "ui/document/document.h"
+#include "ui/viewport/surface_lines.h"
 
 namespace trixel::ui {
 
@@ -59,7 +60,9 @@ ReadoutPanel::ReadoutPanel(const Document& document, QWidget* parent)
     addRow(*form,
            Ellipse,
            tr("Ellipse"),
-           tr("Half axes of the footprint's ellipse in world units, and their ratio"));
+           tr("Half axes of the footprint's ellipse in world units, and their ratio; "
+              "the view draws it %1 times larger")
+               .arg(kFootprintMagnification));
 
     auto* row = new QHBoxLayout;
     m_chip = new SwatchButton({48, 18});
@@ -114,7 +117,6 @@ void ReadoutPanel::show(const std::optional<HoveredTexel>& texel)
     }
     const std::uint32_t face = static_cast<std::uint32_t>(texel->point.face);
     const std::uint32_t source = m_document.surface()->mesh().sourceFace(texel->point.face);
-    const glm::vec3 at = texel->point.position;
     const std::uint32_t resolution = texel->level.resolution();
     const QColor color = shownColor(texel->values);
 
@@ -124,10 +126,7 @@ void ReadoutPanel::show(const std::optional<HoveredTexel>& texel)
     m_values[Texel]->setText(texelText(texel->texel));
     m_values[Storage]->setText(storageText(*texel));
     m_values[Barycentric]->setText(barycentricText(texel->point.uv));
-    m_values[Position]->setText(QString("%1  %2  %3")
-                                    .arg(static_cast<double>(at.x), 0, 'g', 5)
-                                    .arg(static_cast<double>(at.y), 0, 'g', 5)
-                                    .arg(static_cast<double>(at.z), 0, 'g', 5));
+    m_values[Position]->setText(positionText(texel->point.position, m_document.surface()->size()));
     m_values[Stored]->setText(storedText(m_document.texels().format().type, texel->values));
     m_values[Shown]->setText(shownText(color));
     m_values[FirstVector]->setText(vectorText(texel->footprint.w1));

@@ -43,6 +43,25 @@ QString barycentricText(glm::vec2 uv)
     return QString("%1  %2  %3").arg(fixed(uv.x), fixed(uv.y), fixed(1.0F - uv.x - uv.y));
 }
 
+QString positionText(glm::vec3 position, float size)
+{
+    constexpr int kDigits = 5;
+    constexpr int kMostDecimals = 6;
+    const bool usual = size >= 0.01F && size < 1e6F;
+    const int decimals =
+        usual
+            ? std::clamp(kDigits - static_cast<int>(std::floor(std::log10(size))), 0, kMostDecimals)
+            : 0;
+    const double half = 0.5 * std::pow(10.0, -decimals);
+    QStringList words;
+    for (int k = 0; k < 3; ++k) {
+        const auto value = static_cast<double>(position[k]);
+        words += usual ? QString::number(std::abs(value) < half ? 0.0 : value, 'f', decimals)
+                       : number(value, 3);
+    }
+    return words.join("  ");
+}
+
 QString vectorText(glm::dvec2 vector)
 {
     return QString("%1, %2").arg(number(vector.x, 5), number(vector.y, 5));

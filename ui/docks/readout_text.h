@@ -17,7 +17,10 @@ namespace trixel::ui {
 QString texelText(const TexelCoord& texel);     ///< "(3, 1) upper"
 QString storageText(const HoveredTexel& texel); ///< "pixel 3, 1 · index 11"
 QString barycentricText(glm::vec2 uv);          ///< "u 0.25000  v 0.50000  w 0.25000"
-QString vectorText(glm::dvec2 vector);          ///< in (u,v)
+/// A point with the digits that count on a surface of that size, so that all three numbers fit.
+/// \param size  diagonal of the surface's bounding box, world units
+QString positionText(glm::vec3 position, float size);
+QString vectorText(glm::dvec2 vector); ///< in (u,v)
 QString ellipseText(const FootprintEllipse& ellipse);
 
 /// Values as they are stored: whole numbers for the integer types.

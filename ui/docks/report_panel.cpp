@@ -43,6 +43,8 @@ ReportPanel::ReportPanel(QWidget* parent)
     layout->addStretch(0);
 
     m_summary->setWordWrap(true);
+    // The keyboard comes here where there are no findings.
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_summary->setToolTip(tr("What the mesh is made of"));
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);

@@ -102,6 +102,20 @@ private slots:
         QVERIFY(panel.text().contains("Face: 7 · polygon 3"));
     }
 
+    void positionsKeepTheDigitsThatCountAndNoMore()
+    {
+        QCOMPARE(positionText({-2.3e-10F, 1.5F, -0.23708F}, 3.2F),
+                 QString("0.00000  1.50000  -0.23708"));
+        QCOMPARE(positionText({-812.25F, 0.0F, 31.5F}, 2000.0F), QString("-812.25  0.00  31.50"));
+        QCOMPARE(positionText({1.25e-7F, 0.0F, -5e-8F}, 1e-6F), QString("1.25e-07  0  -5e-08"));
+        const int fits = 31; // characters of the panel
+        for (const float size : {1e-6F, 0.01F, 0.5F, 99.0F, 9999.0F, 1e5F, 1e8F}) {
+            const float most = -0.98765F * size;
+            QVERIFY2(positionText({most, most, most}, size).size() <= fits,
+                     qPrintable(positionText({most, most, most}, size)));
+        }
+    }
+
     void storedValuesAreWrittenAsTheirTypeStoresThem()
     {
         const std::array values{1.0F, 0.5F, 0.1F};
