@@ -46,7 +46,7 @@ constexpr int kPanelWidth = 310;
 constexpr float kFirstRadius = 0.02F;
 
 /// Where the sample shows itself best, degrees.
-constexpr double kSampleYaw = 38;
+constexpr double kSampleYaw = 48;
 constexpr double kSamplePitch = 12;
 constexpr double kSampleCloseness = 1.25;
 

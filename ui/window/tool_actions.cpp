@@ -72,7 +72,7 @@ void ToolActions::fillToolBar(QToolBar& bar)
 
 QString ToolActions::hintFor(Tool tool)
 {
-    const QString navigate = tr("Alt+drag: orbit · Alt+middle: pan · wheel: zoom");
+    const QString navigate = tr("middle or Alt+drag: orbit · Shift+middle: pan · wheel: zoom");
     switch (tool) {
     case Tool::Brush:
         return tr("Drag to paint · [ ] size · hold S: pick · %1").arg(navigate);
