@@ -98,6 +98,8 @@ ValueRow::ValueRow(Scale scale, double low, double high, const Texts& texts, QWi
     m_spin->setSuffix(texts.suffix);
     m_spin->setAccessibleName(texts.name);
     m_spin->setToolTip(texts.toolTip);
+    // The number does all that the slider does: one stop of Tab, forwards and backwards.
+    m_slider->setFocusPolicy(Qt::ClickFocus);
     setFocusProxy(m_spin);
     setRange(low, high);
 
