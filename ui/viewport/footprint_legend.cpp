@@ -27,10 +27,13 @@ FootprintLegend::FootprintLegend(QWidget* view)
             .arg(kFootprintMagnification));
     setAccessibleName(tr("What the lines of the footprint are"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    // The view is dark in either theme.
+    // Readable over any texels, in either theme.
     QPalette colors;
-    colors.setColor(QPalette::WindowText, QColor(0xc8c8c8));
+    colors.setColor(QPalette::WindowText, QColor(0xd8d8d8));
+    colors.setColor(QPalette::Window, QColor(22, 22, 24, 205));
     setPalette(colors);
+    setAutoFillBackground(true);
+    setContentsMargins(6, 3, 6, 3);
     hide();
 }
 
