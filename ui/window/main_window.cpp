@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QSettings>
@@ -75,7 +76,17 @@ MainWindow::MainWindow(QWidget* parent)
     showTitle();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // Left to themselves the widgets would outlive the members that they refer to.
+    QList<QPointer<QWidget>> shown;
+    for (QWidget* widget : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        shown += widget;
+    }
+    for (const QPointer<QWidget>& widget : shown) {
+        delete widget.data();
+    }
+}
 
 void MainWindow::open(const QString& path)
 {
