@@ -10,6 +10,25 @@
 namespace trixel {
 namespace {
 
+// Whether the lines of a text end with CR alone, as programs of the first Macintosh wrote them.
+bool endsLinesWithReturns(std::string_view bytes)
+{
+    constexpr auto kNone = std::string_view::npos;
+    return bytes.find('\n') == kNone && bytes.find('\r') != kNone && bytes.find('\0') == kNone;
+}
+
+std::string withLineFeeds(std::string_view bytes)
+{
+    std::string text(bytes);
+    std::replace(text.begin(), text.end(), '\r', '\n');
+    return text;
+}
+
+bool startsAsUtf16(std::string_view bytes)
+{
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
 Result<TriangleMesh> parse(MeshFormat format, std::string_view bytes, Progress& progress)
 {
     switch (format) {
@@ -53,7 +72,13 @@ Result<TriangleMesh> parseMesh(MeshFormat format, std::string_view bytes, Progre
     if (bytes.empty()) {
         return contentsError("the file is empty");
     }
+    if (format != MeshFormat::Stl && startsAsUtf16(bytes)) {
+        return contentsError("line 1: expected text in UTF-8 or ASCII, found UTF-16");
+    }
     try {
+        if (endsLinesWithReturns(bytes)) {
+            return parse(format, withLineFeeds(bytes), progress);
+        }
         return parse(format, bytes, progress);
     } catch (const std::bad_alloc&) {
         return contentsError("the mesh does not fit into memory");

@@ -16,6 +16,20 @@ constexpr std::array<std::string_view, 38> kSkipped{
     "c_interp",  "d_interp", "lod",    "usemap", "maplib", "ctech", "stech", "shadow_obj",
     "trace_obj", "bsp",      "bzp",    "cdc",    "cdp",    "res"};
 
+bool isLetter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+// Whether a word looks like a statement that some program adds for itself: programs skip what they
+// don't know. A single letter, a digit or an 'f' in front rather tell of a damaged vertex or face.
+bool looksLikeExtension(std::string_view keyword)
+{
+    return keyword.size() >= 2 && keyword.front() != 'f' &&
+           std::all_of(keyword.begin(), keyword.end(), isLetter) && keyword != "call" &&
+           keyword != "csh";
+}
+
 } // namespace
 
 ObjStatement objStatementOf(std::string_view keyword)
@@ -32,9 +46,8 @@ ObjStatement objStatementOf(std::string_view keyword)
     if (keyword == "vn") {
         return ObjStatement::Normal;
     }
-    return std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end()
-               ? ObjStatement::Skipped
-               : ObjStatement::Unknown;
+    const bool isKnown = std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end();
+    return isKnown || looksLikeExtension(keyword) ? ObjStatement::Skipped : ObjStatement::Unknown;
 }
 
 } // namespace trixel

@@ -9,7 +9,8 @@ namespace trixel {
 /// What a line of an OBJ file is about.
 enum class ObjStatement : std::uint8_t { Vertex, Texture, Normal, Face, Skipped, Unknown };
 
-/// By the line's first word.
+/// By the line's first word. Words of two letters and more that the specification does not know are
+/// skipped, as they are by other programs.
 ObjStatement objStatementOf(std::string_view keyword);
 
 } // namespace trixel

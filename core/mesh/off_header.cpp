@@ -19,8 +19,11 @@ Result<OffHeader> parseOffHeader(TextScanner& scanner)
 {
     scanner.skipEmptyLines();
     TextScanner start = scanner;
-    std::string_view word = scanner.word();
     OffHeader header;
+    if (TextScanner(start).integer()) {
+        return header; // the counts come at once: the word may be missing
+    }
+    std::string_view word = scanner.word();
     header.textureCoordinates = skipPrefix(word, "ST");
     header.colours = skipPrefix(word, "C");
     header.normals = skipPrefix(word, "N");

@@ -17,7 +17,8 @@ struct OffHeader
     bool binary = false;             ///< the counts follow in binary, on the next line
 };
 
-/// Reads the header's words and leaves the scanner behind them; for a binary file at its data.
+/// Reads the header's words, if there are any, and leaves the scanner behind them; for a binary
+/// file at its data.
 Result<OffHeader> parseOffHeader(TextScanner& scanner);
 
 } // namespace trixel

@@ -124,7 +124,9 @@ Status PlyHeaderParser::parseLine()
         return m_header.elements.empty() ? start.expected("an element before its properties")
                                          : parseProperty();
     }
-    if (word == "comment" || word == "obj_info") {
+    // Blender 2.4's exporter forgot the word "comment" before "Created by Blender3D".
+    if (word == "comment" || word == "obj_info" ||
+        (word == "Created" && m_scanner.word() == "by")) {
         m_scanner.skipLine();
         return {};
     }

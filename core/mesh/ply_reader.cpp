@@ -99,14 +99,25 @@ Status layOutFaces(const PlyElement& element, MeshLayout& layout)
     return {};
 }
 
+// What a header has instead of an element.
+std::string insteadOf(const PlyHeader& header, std::string_view name)
+{
+    if (name != "face") {
+        return "none";
+    }
+    return findElement(header, "tristrips") != nullptr ? "triangle strips ('tristrips')"
+                                                       : "none: points alone cannot be painted";
+}
+
 Result<MeshLayout> layOut(const PlyHeader& header)
 {
     MeshLayout layout;
     for (const std::string_view name : {"vertex", "face"}) {
         const PlyElement* const element = findElement(header, name);
         if (element == nullptr) {
-            return expectedInHeader(
-                header.dataLine - 1, "an element " + quoted(name) + " in the header", "none");
+            return expectedInHeader(header.dataLine - 1,
+                                    "an element " + quoted(name) + " in the header",
+                                    insteadOf(header, name));
         }
         const Status status =
             name == "vertex" ? layOutVertices(*element, layout) : layOutFaces(*element, layout);

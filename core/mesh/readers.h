@@ -13,8 +13,9 @@ namespace trixel {
 
 /// Wavefront OBJ. Faces may refer to vertices that come later in the file, as long as the file has
 /// them in the end. Texture and normal numbers are range-checked, their values are not read; lines,
-/// points, groups, materials and free-form statements are skipped; unknown statements are refused.
-/// A fourth number of a vertex (its weight) and colours are skipped.
+/// points, groups, materials, free-form statements and those that programs add for themselves are
+/// skipped; what looks like a damaged vertex or face is refused. A fourth number of a vertex (its
+/// weight) and colours are skipped.
 Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress);
 
 /// PLY 1.0, ascii or binary of either byte order. Needs an element "vertex" with x, y and z of any
@@ -28,6 +29,7 @@ Result<TriangleMesh> parsePly(std::string_view bytes, Progress& progress);
 Result<TriangleMesh> parseStl(std::string_view bytes, Progress& progress);
 
 /// OFF, COFF, NOFF, STOFF and their combinations, ascii or binary; one line a vertex or face.
+/// The word may be missing, as the format allows.
 Result<TriangleMesh> parseOff(std::string_view bytes, Progress& progress);
 
 } // namespace trixel

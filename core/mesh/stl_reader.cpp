@@ -190,7 +190,8 @@ Result<TriangleMesh> parseBinaryStl(std::string_view bytes, Progress& progress)
     return mesh;
 }
 
-// Why data that do not begin with "solid" are not a binary file either.
+// Why data that do not begin with "solid", or have zeros where a text has none, are not a binary
+// file either.
 tl::unexpected<Error> brokenBinaryStl(std::string_view bytes)
 {
     if (bytes.size() < kHeaderBytes) {
@@ -228,7 +229,8 @@ Result<TriangleMesh> parseStl(std::string_view bytes, Progress& progress)
     const std::string_view text = withoutByteOrderMark(bytes);
     TextScanner scanner(text);
     scanner.skipEmptyLines();
-    if (!isWord(scanner.word(), "solid")) {
+    const bool hasZeros = text.substr(0, kHeaderBytes).find('\0') != std::string_view::npos;
+    if (hasZeros || !isWord(scanner.word(), "solid")) {
         return brokenBinaryStl(bytes);
     }
     return AsciiStlReader(text, progress).read();

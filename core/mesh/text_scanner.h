@@ -18,10 +18,9 @@ std::string_view withoutByteOrderMark(std::string_view text);
 /// A word as an error message shows it: in quotes, short, control characters replaced.
 std::string quoted(std::string_view word);
 
-/// Reads words and numbers line by line, whatever the locale. A '#' that starts a word hides the
-/// rest of its line. Lines end with LF or CR LF; the last may lack its end. A line that holds a '#'
-/// is never continued: a path that ends with a backslash in a comment must not swallow the next
-/// line.
+/// Reads words and numbers line by line, whatever the locale. A '#' hides the rest of its line.
+/// Lines end with LF or CR LF; the last may lack its end. A line that holds a '#' is never
+/// continued: a path that ends with a backslash in a comment must not swallow the next line.
 class TextScanner
 {
 public:
@@ -135,7 +134,7 @@ private:
     bool continuesAt(const char* backslash) const;
     bool wordEndsAt(const char* at) const
     {
-        return at == m_end || isSpace(*at) || (*at == '\\' && continuesAt(at));
+        return at == m_end || isSpace(*at) || *at == '#' || (*at == '\\' && continuesAt(at));
     }
 
     void skipBlanks()

@@ -93,7 +93,7 @@ TEST(OffReaderTest, errorsNameTheirLine)
 {
     EXPECT_EQ(errorOf("4OFF\n"),
               "line 1: expected vertices of three dimensions (OFF), found '4OFF'");
-    EXPECT_EQ(errorOf("8 6 12\n"), "line 1: expected OFF, COFF, NOFF or STOFF, found '8'");
+    EXPECT_EQ(errorOf("eight 6 12\n"), "line 1: expected OFF, COFF, NOFF or STOFF, found 'eight'");
     EXPECT_EQ(errorOf("OFF\n1 1 0 0\n"),
               "line 2: expected the end of the line after the counts, found '0'");
     EXPECT_EQ(errorOf("OFF\n1 1 0\n0 0 0\n3 0 0 0 1 2 3 4 5\n"),
