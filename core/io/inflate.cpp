@@ -20,6 +20,9 @@ Inflater::Inflater()
 
 bool Inflater::unzip(std::span<const std::byte> zipped, std::span<std::byte> out)
 {
+    if (out.size() <= SmallInflater::kMaxBytes) {
+        return m_small.unzip(zipped, out);
+    }
     return libdeflate_zlib_decompress(
                m_state.get(), zipped.data(), zipped.size(), out.data(), out.size(), nullptr) ==
            LIBDEFLATE_SUCCESS;

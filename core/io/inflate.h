@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/io/small_inflate.h"
+
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -9,7 +11,8 @@ struct libdeflate_decompressor;
 
 namespace trixel {
 
-/// Unzips zlib streams (RFC 1950) of known unzipped size. One per thread.
+/// Unzips zlib streams (RFC 1950) of known unzipped size: short ones by a decoder made for them,
+/// others by a library. One per thread.
 class Inflater
 {
 public:
@@ -28,6 +31,7 @@ private:
         void operator()(libdeflate_decompressor* state) const;
     };
     std::unique_ptr<libdeflate_decompressor, Free> m_state;
+    SmallInflater m_small;
 };
 
 } // namespace trixel

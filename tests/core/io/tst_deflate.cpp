@@ -7,6 +7,8 @@
 #include "core/io/huffman.h"
 #include "core/io/inflate.h"
 #include "core/io/small_deflate.h"
+#include "core/io/small_inflate.h"
+#include "tests/core/io/inflate_oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +76,34 @@ private:
     Inflater m_inflater;
     Bytes m_out;
 };
+
+// By any level and strategy, in one block or several.
+std::vector<std::byte> zippedByZlib(const Bytes& bytes, std::mt19937& random)
+{
+    constexpr int kStrategies[] = {Z_DEFAULT_STRATEGY, Z_HUFFMAN_ONLY, Z_RLE, Z_FIXED};
+    z_stream stream{};
+    deflateInit2(&stream,
+                 static_cast<int>(random() % 10),
+                 Z_DEFLATED,
+                 9 + static_cast<int>(random() % 7),
+                 1 + static_cast<int>(random() % 9),
+                 kStrategies[random() % 4]);
+    std::vector<std::byte> out(bytes.size() * 2 + 1000);
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
+    if (random() % 3 == 0) {
+        stream.avail_in = static_cast<uInt>(bytes.size() / 2);
+        deflate(&stream, random() % 2 == 0 ? Z_FULL_FLUSH : Z_PARTIAL_FLUSH);
+        stream.avail_in = static_cast<uInt>(bytes.size() - bytes.size() / 2);
+    } else {
+        stream.avail_in = static_cast<uInt>(bytes.size());
+    }
+    EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    out.resize(stream.total_out);
+    deflateEnd(&stream);
+    return out;
+}
 
 // Cost of an optimal code: the sum of all joined weights.
 std::uint64_t optimalCost(std::span<const std::uint16_t> counts)
@@ -249,6 +279,72 @@ TEST(SmallDeflater, isNoLargerThanTheLibraryByMuch)
         }
     }
     EXPECT_LT(static_cast<double>(own), 1.02 * static_cast<double>(zlib));
+}
+
+TEST(SmallInflater, readsWhateverZlibWrites)
+{
+    std::mt19937 random(21);
+    SmallInflater inflater;
+    for (int round = 0; round < 4000; ++round) {
+        const unsigned spread = 1U << (1 + random() % 8);
+        const Bytes bytes = generated(1 + random() % SmallInflater::kMaxBytes, [&](std::size_t k) {
+            return random() % 4 == 0 ? static_cast<unsigned>(k % 31) : random() % spread;
+        });
+        const std::vector<std::byte> stream = zippedByZlib(bytes, random);
+        Bytes back(bytes.size());
+        ASSERT_TRUE(inflater.unzip(stream, back));
+        ASSERT_EQ(back, bytes);
+        back.resize(bytes.size() + 1);
+        ASSERT_FALSE(inflater.unzip(stream, back));                                    // too little
+        ASSERT_FALSE(inflater.unzip(stream, std::span(back).first(bytes.size() - 1))); // too much
+        for (std::size_t cut = 0; cut < stream.size(); cut += 1 + cut / 8) {
+            ASSERT_FALSE(
+                inflater.unzip(std::span(stream).first(cut), std::span(back).first(bytes.size())));
+        }
+    }
+}
+
+TEST(SmallInflater, agreesWithZlibOnDamagedStreams)
+{
+    std::mt19937 random(22);
+    SmallInflater inflater;
+    int accepted = 0;
+    for (int round = 0; round < 40000; ++round) {
+        const Bytes bytes =
+            generated(1 + random() % 200, [&](std::size_t) { return random() % 9; });
+        const std::vector<std::byte> stream = zippedByZlib(bytes, random);
+        std::vector<std::byte> raw(stream.begin() + 2, stream.end() - 4);
+        for (unsigned flips = 1 + random() % 2; flips > 0; --flips) {
+            raw[random() % raw.size()] ^= std::byte{1} << (random() % 8);
+        }
+        const auto expected = samples::inflatedByZlib(raw, SmallInflater::kMaxBytes);
+        Bytes back(expected ? expected->bytes.size() : bytes.size());
+        if (expected) {
+            raw.resize(expected->used); // what follows the last block is the checksum's place
+        }
+        const auto whole = samples::wrapped(raw, expected ? expected->bytes : bytes);
+        ASSERT_EQ(inflater.unzip(whole, back), expected.has_value()) << round;
+        if (expected) {
+            ASSERT_EQ(back, expected->bytes);
+            ++accepted;
+        }
+    }
+    EXPECT_GT(accepted, 1000); // enough of both to mean something
+    EXPECT_LT(accepted, 39000);
+}
+
+TEST(SmallInflater, wrongHeadersAndChecksumsAreRefused)
+{
+    Zipper zipper;
+    const Bytes bytes = generated(100, [](std::size_t k) { return static_cast<unsigned>(k % 5); });
+    const auto stream = zipper.zip(bytes);
+    Bytes back(bytes.size());
+    SmallInflater inflater;
+    for (const std::size_t at : {std::size_t{0}, std::size_t{1}, stream.size() - 1}) {
+        Bytes damaged(stream.begin(), stream.end());
+        damaged[at] ^= std::byte{1};
+        EXPECT_FALSE(inflater.unzip(damaged, back)) << at;
+    }
 }
 
 TEST(Deflater, shortAndLongStretchesRoundTrip)
