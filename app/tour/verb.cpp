@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tour/verb.h"
 
+#include "app/display.h"
 #include "app/tour/tour.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,9 @@ void addTour(CLI::App& parser, Work& chosen)
         ->type_name("DIR");
     verb->callback([folder, &chosen] {
         chosen = [folder](Progress& /*progress*/) -> Result<Outcome> {
-            return takeTour(*folder).map([] { return Outcome::Done; });
+            return needDisplay().and_then([&] { return takeTour(*folder); }).map([] {
+                return Outcome::Done;
+            });
         };
     });
 }

@@ -41,6 +41,8 @@ TEST_F(BadArguments, aWindowWithoutADisplayIsRefused)
 {
     EXPECT_THAT(runTrixel({}), FailsWith(kUnusable, "--help"));
     EXPECT_THAT(runTrixel({mesh()}), FailsWith(kUnusable, "--help"));
+    EXPECT_THAT(runTrixel({"tour", "-o", path("tour")}), FailsWith(kUnusable, "--help"));
+    EXPECT_THAT(files(), ElementsAre("mesh.obj"));
 }
 
 TEST_F(BadArguments, aFileForTheWindowThatIsNotThereIsNamed)
