@@ -141,7 +141,7 @@ bool SmallInflater::makeCode(std::span<const std::uint8_t> lengths, Code& code)
         code.symbols[begins[length]++] = symbol;
         const std::uint32_t bits = reversed16(next[length]++) >> (16 - length);
         if (length <= kTableBits) {
-            const auto entry = static_cast<std::uint16_t>(symbol << 4U | length);
+            const auto entry = static_cast<std::uint16_t>(std::uint32_t{symbol} << 4U | length);
             for (std::size_t place = bits; place < tableSize; place += std::size_t{1} << length) {
                 code.table[place] = entry;
             }
