@@ -164,13 +164,9 @@ private:
 
 Status ObjChunkReader::readVertex()
 {
-    glm::vec3 position;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto value = m_scanner.finiteFloat();
-        if (!value) {
-            return m_scanner.expected("a finite number that fits a float");
-        }
-        position[axis] = *value;
+    const Result<glm::vec3> position = m_scanner.point();
+    if (!position) {
+        return tl::unexpected(position.error());
     }
     int extra = 0; // a weight, or a colour, or both
     while (!m_scanner.atLineEnd()) {
@@ -184,7 +180,7 @@ Status ObjChunkReader::readVertex()
     }
     const auto place = static_cast<std::size_t>(m_seen.vertices++);
     check(place < m_positions.size(), "vertices were counted");
-    m_positions[place] = position;
+    m_positions[place] = *position;
     return {};
 }
 

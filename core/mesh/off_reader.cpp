@@ -133,13 +133,9 @@ Status AsciiOffReader::readVertex()
         return cancelled();
     }
     m_scanner.skipEmptyLines();
-    glm::vec3 position;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto value = m_scanner.finiteFloat();
-        if (!value) {
-            return m_scanner.expected("a finite number that fits a float");
-        }
-        position[axis] = *value;
+    const Result<glm::vec3> position = m_scanner.point();
+    if (!position) {
+        return tl::unexpected(position.error());
     }
     const int least = (m_header.normals ? 3 : 0) + (m_header.textureCoordinates ? 2 : 0);
     const auto extra = skipNumbers(least + (m_header.colours ? 4 : 0));
@@ -150,7 +146,7 @@ Status AsciiOffReader::readVertex()
     if (const int colour = *extra - least; colour < 0 || colour == 1 || colour == 2) {
         return m_scanner.expected("more numbers for a vertex of this kind of OFF");
     }
-    m_positions.push_back(position);
+    m_positions.push_back(*position);
     m_scanner.skipLine();
     return {};
 }

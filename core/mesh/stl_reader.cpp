@@ -108,15 +108,11 @@ Result<std::uint32_t> AsciiStlReader::readVertex()
     if (auto status = expectWord("vertex"); !status) {
         return tl::unexpected(status.error());
     }
-    glm::vec3 position;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto value = m_scanner.finiteFloat();
-        if (!value) {
-            return m_scanner.expected("a finite number that fits a float");
-        }
-        position[axis] = *value;
+    const Result<glm::vec3> position = m_scanner.point();
+    if (!position) {
+        return tl::unexpected(position.error());
     }
-    return m_welder.add(position);
+    return m_welder.add(*position);
 }
 
 Status AsciiStlReader::readFacet()

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -89,6 +90,20 @@ public:
             return value;
         }
         return rareFloat();
+    }
+
+    /// Three finite numbers: a position.
+    Result<glm::vec3> point()
+    {
+        glm::vec3 position{0};
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::optional<float> value = finiteFloat();
+            if (!value) {
+                return expected("a finite number that fits a float");
+            }
+            position[axis] = *value;
+        }
+        return position;
     }
 
     /// Any number, even infinite or none ("nan"), for values that are skipped; false if the next
