@@ -8,6 +8,7 @@
 #include "core/paint/brush.h"
 #include "core/texture/texel_patch.h"
 #include "core/texture/texel_store.h"
+#include "core/texture/touched_rect.h"
 
 #include <glm/vec2.hpp>
 #include <memory>
@@ -25,15 +26,6 @@ struct StrokeSample
     double time = 0.0;     ///< seconds since the stroke began
 
     bool operator==(const StrokeSample&) const = default;
-};
-
-/// Texels of one face that the last call changed: a rectangle of the packed square, so that only
-/// these are uploaded.
-struct TouchedRect
-{
-    FaceId face{};
-    std::uint16_t x = 0, y = 0, width = 0, height = 0;
-    bool wholeFace = false; ///< the face was constant before: all of it is new
 };
 
 /// One stroke in progress: turns samples into dabs at constant arc length and blends them into the

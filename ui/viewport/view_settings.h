@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "core/filter/filter_method.h"
 #include "core/paint/brush.h"
 
 namespace trixel::ui {
@@ -22,7 +23,7 @@ struct ViewOptions
     bool operator==(const ViewOptions&) const = default;
 };
 
-/// Brush, tool and view options: set by panels and shortcuts, listened to by the viewport.
+/// Brush, tool, filter and view options: set by panels and shortcuts, listened to by the viewport.
 class ViewSettings : public QObject
 {
     Q_OBJECT
@@ -55,15 +56,27 @@ public:
         }
     }
 
+    /// The filter that pictures, maps and read-outs are made with.
+    const MethodChoice& method() const { return m_method; }
+    void setMethod(const MethodChoice& method)
+    {
+        if (m_method != method) {
+            m_method = method;
+            emit methodChanged();
+        }
+    }
+
 signals:
     void viewChanged();
     void brushChanged();
     void toolChanged();
+    void methodChanged();
 
 private:
     ViewOptions m_view;
     Brush m_brush;
     Tool m_tool = Tool::Brush;
+    MethodChoice m_method;
 };
 
 } // namespace trixel::ui

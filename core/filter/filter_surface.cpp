@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filter/filter_surface.h"
+
+#include "core/mesh/triangle_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace trixel {
+namespace {
+
+FaceShape equilateralShape(double edge)
+{
+    const FaceShape unit;
+    return {edge * unit.e1, edge * unit.e2};
+}
+
+FaceShape shapeOf(const std::array<glm::vec3, 3>& corners)
+{
+    const glm::dvec3 a(corners[0]);
+    const glm::dvec3 e1 = glm::dvec3(corners[1]) - a;
+    const glm::dvec3 e2 = glm::dvec3(corners[2]) - a;
+    const double length = glm::length(e1);
+    const double area = glm::length(glm::cross(e1, e2));
+    const double longest = std::max({length, glm::length(e2), glm::length(e2 - e1)});
+    // Below this height the plane's inverse would be rounding noise.
+    constexpr double kFlattest = 1e-9;
+    if (isDegenerate(corners) || !(area > kFlattest * longest * longest) || !(length > 0)) {
+        return equilateralShape(longest > 0 ? longest : 1.0);
+    }
+    return {{length, 0}, {glm::dot(e1, e2) / length, area / length}};
+}
+
+glm::dvec2 cornerOf(const FaceShape& shape, std::size_t index)
+{
+    return index == 0 ? glm::dvec2(0) : index == 1 ? shape.e1 : shape.e2;
+}
+
+double edgeLength(const FaceShape& shape, std::size_t edge)
+{
+    return glm::length(cornerOf(shape, (edge + 1) % 3) - cornerOf(shape, edge));
+}
+
+} // namespace
+
+FilterSurface FilterSurface::fromMesh(const TriangleMesh& mesh, Adjacency adjacency)
+{
+    check(mesh.faceCount() == adjacency.faceCount(), "adjacency of this mesh");
+    FilterSurface surface;
+    surface.m_rings = VertexRings(adjacency);
+    surface.m_adjacency = std::move(adjacency);
+    surface.m_shapes.reserve(mesh.faceCount());
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        surface.m_shapes.push_back(shapeOf(mesh.corners(faceId(f))));
+    }
+    surface.measureLengths();
+    return surface;
+}
+
+FilterSurface FilterSurface::equilateral(Adjacency adjacency)
+{
+    FilterSurface surface;
+    surface.m_rings = VertexRings(adjacency);
+    surface.m_shapes.assign(adjacency.faceCount(), FaceShape{});
+    surface.m_adjacency = std::move(adjacency);
+    surface.measureLengths();
+    return surface;
+}
+
+std::optional<FilterSurface::Crossing> FilterSurface::crossing(FaceId face, LocalEdge edge) const
+{
+    const auto across = m_adjacency.neighbour(face, edge);
+    if (!across) {
+        return std::nullopt;
+    }
+    const FaceShape& own = shape(face);
+    const FaceShape& other = shape(across->face);
+    // The neighbour runs along the edge the other way: its start is our end. Both edges are equally
+    // long but for rounding and for faces whose shape was replaced; the ratio keeps (u,v) of the
+    // edge on the edge in any case.
+    const std::size_t start = indexOf(edge);
+    const glm::dvec2 ownEnd = cornerOf(own, (start + 1) % 3);
+    const glm::dvec2 ownAlong = cornerOf(own, start) - ownEnd;
+    const std::size_t otherStart = indexOf(across->edge);
+    const glm::dvec2 otherBegin = cornerOf(other, otherStart);
+    const glm::dvec2 otherAlong = cornerOf(other, (otherStart + 1) % 3) - otherBegin;
+    const double squared = glm::dot(ownAlong, ownAlong);
+    // The similarity that takes ownAlong to otherAlong, as a complex factor.
+    const glm::dvec2 turn((otherAlong.x * ownAlong.x + otherAlong.y * ownAlong.y) / squared,
+                          (otherAlong.y * ownAlong.x - otherAlong.x * ownAlong.y) / squared);
+    const auto turned = [&](glm::dvec2 p) {
+        return glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    };
+    Crossing crossing{across->face, across->edge, {}, {}, {}};
+    crossing.origin = other.toUv(otherBegin + turned(-ownEnd));
+    crossing.perU = other.toUv(turned(own.e1));
+    crossing.perV = other.toUv(turned(own.e2));
+    return crossing;
+}
+
+double FilterSurface::log2Length(FaceId face, glm::dvec2 uv) const
+{
+    return (1 - uv.x - uv.y) * log2Length(face, 0) + uv.x * log2Length(face, 1) +
+           uv.y * log2Length(face, 2);
+}
+
+void FilterSurface::measureLengths()
+{
+    m_log2Lengths.assign(m_rings.ringCount(), 0.0);
+    for (std::size_t r = 0; r < m_rings.ringCount(); ++r) {
+        const auto corners = m_rings.corners(static_cast<RingId>(r));
+        double sum = 0;
+        int count = 0;
+        // Each corner brings the edge it starts; an open ring lacks the one at its far border.
+        for (const Corner& corner : corners) {
+            sum += std::log2(edgeLength(shape(corner.face), corner.index));
+            ++count;
+        }
+        if (!m_rings.isClosed(static_cast<RingId>(r))) {
+            const Corner& last = corners.back();
+            sum += std::log2(edgeLength(shape(last.face), (last.index + 2U) % 3));
+            ++count;
+        }
+        m_log2Lengths[r] = sum / count;
+    }
+}
+
+} // namespace trixel

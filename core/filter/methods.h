@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The rows of the table, one file each.
+#pragma once
+
+#include "core/filter/filter_method.h"
+
+namespace trixel {
+
+MethodEntry pointMethod();
+
+} // namespace trixel
