@@ -32,6 +32,7 @@ std::span<const MethodEntry> filterMethods()
 {
     static const std::vector<MethodEntry> kMethods = {
         pointMethod(),
+        exactMethod(),
     };
     return kMethods;
 }

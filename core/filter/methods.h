@@ -8,5 +8,6 @@
 namespace trixel {
 
 MethodEntry pointMethod();
+MethodEntry exactMethod();
 
 } // namespace trixel
