@@ -1,147 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/paint/stroke_file.h"
 
-#include "core/base/check.h"
+#include "core/base/json_fields.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <optional>
 
 namespace trixel {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::array<std::pair<std::string_view, BlendMode>, 2> kBlendNames{
     {{"normal", BlendMode::Normal}, {"erase", BlendMode::Erase}}};
 
-/// A value as an error shows it: short, whatever was in the file.
-std::string shown(const Json& value)
-{
-    constexpr std::size_t kLongest = 40;
-    if (value.is_structured()) {
-        return value.is_array() ? "an array" : "an object";
-    }
-    const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return text.size() > kLongest ? text.substr(0, kLongest) + "…" : text;
-}
-
-/// One object of the file, and what errors call it.
-class Fields
-{
-public:
-    static Result<Fields> of(const Json& json, std::string place)
-    {
-        if (!json.is_object()) {
-            return contentsError(place + ": expected an object, found " + shown(json));
-        }
-        return Fields(json, std::move(place));
-    }
-
-    const std::string& place() const { return m_place; }
-
-    const Json* find(const char* name) const
-    {
-        const auto field = m_json->find(name);
-        return field == m_json->end() ? nullptr : &*field;
-    }
-
-    tl::unexpected<Error>
-    error(const char* name, const std::string& expected, const Json& found) const
-    {
-        return contentsError(m_place + ": " + name + ": expected " + expected + ", found " +
-                             shown(found));
-    }
-
-    /// A field that must be there.
-    Result<const Json*> need(const char* name) const
-    {
-        const Json* field = find(name);
-        if (field == nullptr) {
-            return contentsError(m_place + ": " + name + " is missing");
-        }
-        return field;
-    }
-
-    /// Fails on a field that none of the names stands for: a misspelt setting is not passed over.
-    Status onlyHas(std::initializer_list<std::string_view> names) const
-    {
-        for (const auto& [name, value] : m_json->items()) {
-            if (std::ranges::find(names, name) == names.end()) {
-                return contentsError(m_place + ": there is no field " + shown(Json(name)));
-            }
-        }
-        return {};
-    }
-
-    /// Leaves `value` alone if the field is absent.
-    template <class T>
-    Status number(const char* name, T& value) const
-    {
-        const Json* field = find(name);
-        if (field == nullptr) {
-            return {};
-        }
-        const double limit = static_cast<double>(std::numeric_limits<T>::max());
-        if (!field->is_number() || !(std::abs(field->template get<double>()) <= limit)) {
-            return error(name, "a finite number", *field);
-        }
-        value = static_cast<T>(field->template get<double>());
-        return {};
-    }
-
-    Status flag(const char* name, bool& value) const
-    {
-        const Json* field = find(name);
-        if (field != nullptr && !field->is_boolean()) {
-            return error(name, "true or false", *field);
-        }
-        value = field == nullptr ? value : field->get<bool>();
-        return {};
-    }
-
-    /// Fails if the field is there and is anything else.
-    Status mustBe(const char* name, const Json& only) const
-    {
-        const Json* field = find(name);
-        if (field != nullptr && *field != only) {
-            return error(name, only.dump(), *field);
-        }
-        return {};
-    }
-
-    Result<const Json*> array(const char* name) const
-    {
-        auto field = need(name);
-        if (field && !(*field)->is_array()) {
-            return error(name, "an array", **field);
-        }
-        return field;
-    }
-
-private:
-    Fields(const Json& json, std::string place)
-        : m_json(&json)
-        , m_place(std::move(place))
-    {
-    }
-
-    const Json* m_json;
-    std::string m_place;
-};
-
-/// The first failure of several.
-Status firstError(std::initializer_list<Status> all)
-{
-    const auto* failed = std::ranges::find_if(all, [](const Status& s) { return !s; });
-    return failed == all.end() ? Status() : *failed;
-}
-
-Status parseBlend(const Fields& fields, BlendMode& blend)
+Status parseBlend(const JsonFields& fields, BlendMode& blend)
 {
     const Json* field = fields.find("blend");
     if (field == nullptr) {
@@ -158,7 +31,7 @@ Status parseBlend(const Fields& fields, BlendMode& blend)
 
 /// One to four numbers; where fewer than three are given, the last stands for the rest up to the
 /// third. The fourth is 1 unless given.
-Status parseColor(const Fields& fields, std::array<float, 4>& color)
+Status parseColor(const JsonFields& fields, std::array<float, 4>& color)
 {
     const auto field = fields.need("color");
     if (!field) {
@@ -184,7 +57,7 @@ Status parseColor(const Fields& fields, std::array<float, 4>& color)
 
 Result<Brush> parseBrush(const Json& json, const std::string& place)
 {
-    const auto fields = Fields::of(json, place);
+    const auto fields = JsonFields::of(json, place);
     if (!fields) {
         return tl::unexpected(fields.error());
     }
@@ -225,7 +98,7 @@ Result<Brush> parseBrush(const Json& json, const std::string& place)
 
 Result<StrokeSample> parseSample(const Json& json, const std::string& place, std::size_t faceCount)
 {
-    const auto fields = Fields::of(json, place);
+    const auto fields = JsonFields::of(json, place);
     if (!fields) {
         return tl::unexpected(fields.error());
     }
@@ -267,7 +140,7 @@ Result<StrokeSample> parseSample(const Json& json, const std::string& place, std
 Result<RecordedStroke>
 parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
 {
-    const auto fields = Fields::of(json, place);
+    const auto fields = JsonFields::of(json, place);
     if (!fields) {
         return tl::unexpected(fields.error());
     }
@@ -297,18 +170,6 @@ parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
         stroke.samples.push_back(*sample);
     }
     return stroke;
-}
-
-Result<Json> parseJson(std::string_view text)
-{
-    try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        return contentsError("not JSON: byte " + std::to_string(error.byte) +
-                             " is not what the grammar expects");
-    } catch (const Json::exception&) {
-        return contentsError("not usable as JSON: a number is out of range");
-    }
 }
 
 Json toJson(const RecordedStroke& stroke)
@@ -348,7 +209,7 @@ Result<std::vector<RecordedStroke>> parseStrokes(std::string_view text, std::siz
     if (!json) {
         return tl::unexpected(json.error());
     }
-    const auto fields = Fields::of(*json, "stroke file");
+    const auto fields = JsonFields::of(*json, "stroke file");
     if (!fields) {
         return tl::unexpected(fields.error());
     }
