@@ -32,6 +32,9 @@ std::span<const MethodEntry> filterMethods()
 {
     static const std::vector<MethodEntry> kMethods = {
         pointMethod(),
+        nearestLevelMethod(),
+        rectilinearBilinearMethod(),
+        trilinearMethod(),
         exactMethod(),
     };
     return kMethods;

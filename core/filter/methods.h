@@ -8,6 +8,9 @@
 namespace trixel {
 
 MethodEntry pointMethod();
+MethodEntry nearestLevelMethod();
+MethodEntry rectilinearBilinearMethod();
+MethodEntry trilinearMethod();
 MethodEntry exactMethod();
 
 } // namespace trixel
