@@ -28,6 +28,11 @@ struct FaceShape
     }
 };
 
+/// The shape of a face in the world. One without area has no plane of its own: it is taken as
+/// equilateral, its edges as long as its longest (1 where all are zero), so that every shape can be
+/// inverted.
+FaceShape faceShapeOf(const std::array<glm::vec3, 3>& corners);
+
 /// What filters know of a mesh: who borders whom, and how the faces are shaped. Lengths are world
 /// units, or edges where only the adjacency is known and every face is taken as equilateral.
 class FilterSurface
@@ -35,8 +40,7 @@ class FilterSurface
 public:
     FilterSurface() = default;
 
-    /// A face without area has no plane of its own: it is taken as equilateral, its edges as long
-    /// as its longest (1 where all are zero). So every shape can be inverted.
+    /// Faces are shaped by `faceShapeOf`.
     static FilterSurface fromMesh(const TriangleMesh& mesh, Adjacency adjacency);
 
     /// Every face equilateral with edges of length 1, which is what the reference library means by

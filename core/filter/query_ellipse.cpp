@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/query_ellipse.h"
 
-#include "core/footprint/svd2.h"
+#include "core/footprint/covariance.h"
+#include "core/footprint/limit.h"
 
-#include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace trixel {
 namespace {
@@ -13,18 +12,6 @@ namespace {
 bool isFinite(glm::dvec2 v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
-/// Scaled by its larger component first, so that no square overflows or vanishes.
-glm::dvec2 limited(glm::dvec2 w)
-{
-    const double largest = std::max(std::abs(w.x), std::abs(w.y));
-    if (largest <= kWidestFootprint / 2) {
-        return w;
-    }
-    const glm::dvec2 unit = w / largest;
-    const double length = largest * glm::length(unit);
-    return length > kWidestFootprint ? unit * (kWidestFootprint / glm::length(unit)) : w;
 }
 
 } // namespace
@@ -48,29 +35,27 @@ queryEllipse(const FilterScene& scene, FaceId face, glm::dvec2 uv, glm::dvec2 w1
     ellipse.log2Texel = scene.log2TexelSize(face, ellipse.uv);
     ellipse.log2Edge = scene.surface().log2Length(face, ellipse.uv);
 
-    // Half axes of W as columns of one matrix: their singular values are the axes of the ellipse.
+    // Half of each W: conjugate half axes of the ellipse.
     glm::dvec2 a;
     glm::dvec2 b;
     if (isFinite(w1) && isFinite(w2)) {
-        a = shape.toPlane(limited(w1)) / 2.0;
-        b = shape.toPlane(limited(w2)) / 2.0;
+        a = shape.toPlane(limitedVector(w1, kWidestFootprint)) / 2.0;
+        b = shape.toPlane(limitedVector(w2, kWidestFootprint)) / 2.0;
     } else {
         const double widest = kWidestFootprint * std::exp2(ellipse.log2Edge) / 2;
         a = {widest, 0};
         b = {0, widest};
     }
     const double floor = std::exp2(2 * ellipse.log2Texel) / 4;
-    const double trace = glm::dot(a, a) + glm::dot(b, b);
-    const double cross = differenceOfProducts(a.x, b.y, a.y, b.x);
-    ellipse.xx = a.x * a.x + b.x * b.x + floor;
-    ellipse.xy = a.x * a.y + b.x * b.y;
-    ellipse.yy = a.y * a.y + b.y * b.y + floor;
-    ellipse.determinant = cross * cross + floor * trace + floor * floor;
-    const Svd2 svd = svd2(a, b, cross);
-    ellipse.majorAxis = svd.majorTo;
-    const double major = svd.major * svd.major + floor;
-    ellipse.majorSigma = std::sqrt(major);
-    ellipse.minorSigma = std::sqrt(std::min(ellipse.determinant / major, major));
+    const Covariance covariance = covarianceOf(a, b, floor);
+    ellipse.xx = covariance.xx;
+    ellipse.xy = covariance.xy;
+    ellipse.yy = covariance.yy;
+    ellipse.determinant = covariance.determinant;
+    const CovarianceAxes axes = axesOf(covariance);
+    ellipse.majorAxis = axes.majorAxis;
+    ellipse.majorSigma = axes.majorSigma;
+    ellipse.minorSigma = axes.minorSigma;
     return ellipse;
 }
 

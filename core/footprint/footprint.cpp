@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/footprint/footprint.h"
 
+#include "core/footprint/limit.h"
 #include "core/footprint/svd2.h"
 
 #include <algorithm>
@@ -64,11 +65,6 @@ struct FacePlane
     }
 };
 
-Footprint widest(double maxLength)
-{
-    return {{maxLength, 0}, {0, maxLength}};
-}
-
 /// A ray relative to the face's frame; direction and its changes share one free scale.
 struct ScaledRay
 {
@@ -88,13 +84,6 @@ ScaledRay scaledTo(const FacePlane& plane, const PixelRay& ray)
             ray.perY / length};
 }
 
-Footprint limited(const Svd2& svd, double major, double minor)
-{
-    const glm::dvec2 a = major * svd.majorTo;
-    const glm::dvec2 b = minor * svd.minorTo;
-    return {a * svd.majorFrom.x + b * svd.minorFrom.x, a * svd.majorFrom.y + b * svd.minorFrom.y};
-}
-
 } // namespace
 
 // With s = origin - V0, D the direction and n = e1 × e2, the ray meets the plane at
@@ -107,23 +96,23 @@ Footprint limited(const Svd2& svd, double major, double minor)
 Footprint
 screenFootprint(const PixelRay& ray, const std::array<glm::vec3, 3>& corners, double maxLength)
 {
-    const double limit = std::isfinite(maxLength) ? std::clamp(maxLength, 0.0, kWidest) : kWidest;
+    const double limit = usableLimit(maxLength);
     const FacePlane plane(corners);
     if (!std::isfinite(plane.scale)) {
-        return widest(limit);
+        return roundFootprint(limit);
     }
     if (plane.isDegenerate()) {
         return {};
     }
     const ScaledRay r = scaledTo(plane, ray);
     if (!isFinite(r.offset) || !isFinite(r.direction) || !isFinite(r.perX) || !isFinite(r.perY)) {
-        return widest(limit);
+        return roundFootprint(limit);
     }
     const double height = glm::dot(r.offset, plane.normal);
     const double slope = glm::dot(r.direction, plane.normal);
     const double distance = -height / slope; // along the ray, in directions
     if (!(distance > 0) || !std::isfinite(distance)) {
-        return widest(limit); // at or beyond the horizon
+        return roundFootprint(limit); // at or beyond the horizon
     }
     const glm::dvec3 crossX = glm::cross(r.perX, r.direction);
     const glm::dvec3 crossY = glm::cross(r.perY, r.direction);
@@ -143,7 +132,7 @@ screenFootprint(const PixelRay& ray, const std::array<glm::vec3, 3>& corners, do
     }
     const double side = slope < 0 ? 1 : -1;
     const double cut = std::min(minor, limit);
-    return limited(svd, side * limit, side * (std::isfinite(cut) ? cut : limit));
+    return withLengths(svd, side * limit, side * (std::isfinite(cut) ? cut : limit));
 }
 
 FootprintEllipse ellipseOf(const Footprint& footprint, const std::array<glm::vec3, 3>& corners)
@@ -154,7 +143,7 @@ FootprintEllipse ellipseOf(const Footprint& footprint, const std::array<glm::vec
     }
     Footprint w = footprint;
     if (!isFinite(w.w1) || !isFinite(w.w2)) {
-        w = widest(kWidest);
+        w = roundFootprint(kWidest);
     }
     const double longest = std::max(largestComponent(w.w1), largestComponent(w.w2));
     if (longest > kWidest) {
