@@ -43,7 +43,7 @@ double keyOf(const PlacedFace& place)
 {
     constexpr double kCentroidShare = 1.0 / 65536;
     const glm::dvec2 centroid = place.origin + (place.e1 + place.e2) / 3.0;
-    const double key = distanceTo(place) + kCentroidShare * glm::length(centroid);
+    const double key = place.distance + kCentroidShare * glm::length(centroid);
     constexpr std::uint64_t kLowBits = (std::uint64_t{1} << 23U) - 1;
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(key);
     return std::bit_cast<double>((bits + kLowBits / 2 + 1) & ~kLowBits);
@@ -69,7 +69,9 @@ laidOnto(FaceId face, const FaceShape& shape, LocalEdge edge, glm::dvec2 start, 
     const auto turned = [turn](glm::dvec2 p) {
         return glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
     };
-    return {face, start - turned(own), turned(shape.e1), turned(shape.e2)};
+    PlacedFace place{face, start - turned(own), turned(shape.e1), turned(shape.e2)};
+    place.distance = distanceTo(place);
+    return place;
 }
 
 } // namespace
@@ -144,6 +146,12 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
         // The neighbour runs along the edge the other way.
         const PlacedFace neighbour = laidOnto(
             across->face, surface.shape(across->face), across->edge, corners[next], corners[k]);
+        // Around a vertex distances are equal but for rounding.
+        constexpr double kSlack = 1e-6;
+        const double slack = kSlack * glm::length(corners[next] - corners[k]);
+        if (neighbour.distance < place.distance - slack) {
+            continue;
+        }
         m_waiting.push_back({keyOf(neighbour), place.face, neighbour});
         std::ranges::push_heap(m_waiting, isLater);
     }

@@ -7,6 +7,9 @@
 //     each across an edge of one already laid, and each once.
 //   * An edge is crossed where the cut ellipse touches it. On a flat surface that reaches every
 //     face under the ellipse that is seen from the centre.
+//   * No face is laid nearer to the query's point than the face it is laid from, so that no chain
+//   of
+//     faces goes out and folds back over those that lie near.
 //   * Nearest first: of all faces that wait, the next is the one with the least
 //     d + 2⁻¹⁶ c, where d is the distance from the query's point to the nearest point of the face
 //     as it would be laid and c that to its centroid. Faces that share the point all have d = 0, so
@@ -67,6 +70,7 @@ struct PlacedFace
     glm::dvec2 origin{0};
     glm::dvec2 e1{0};
     glm::dvec2 e2{0};
+    double distance = 0; ///< from the origin to the nearest point of the face
 
     glm::dvec2 corner(std::size_t index) const
     {
