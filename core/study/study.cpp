@@ -50,12 +50,12 @@ std::string toCsv(const Study& study)
     std::ostringstream text;
     text.precision(9);
     text << "series,variant,method,class,cost_" << study.costUnit
-         << ",rms,p99,worst,samples,front\n";
+         << ",rms,p99,worst,samples,refused,front\n";
     for (const StudyPoint& point : study.points) {
         text << quoted(point.series) << ',' << quoted(point.variant) << ','
              << (point.method ? toText(*point.method) : "") << ',' << className(point) << ','
              << point.cost << ',' << point.rms << ',' << point.p99 << ',' << point.worst << ','
-             << point.samples << ',' << (point.onFront ? 1 : 0) << '\n';
+             << point.samples << ',' << point.refused << ',' << (point.onFront ? 1 : 0) << '\n';
     }
     return text.str();
 }
@@ -72,6 +72,7 @@ std::string toJson(const Study& study)
                               {"p99", point.p99},
                               {"worst", point.worst},
                               {"samples", point.samples},
+                              {"refused", point.refused},
                               {"front", point.onFront}};
         if (point.method) {
             row["method"] = toText(*point.method);
@@ -84,6 +85,7 @@ std::string toJson(const Study& study)
                           {"costUnit", study.costUnit},
                           {"subject", study.subject},
                           {"conditions", study.conditions},
+                          {"notes", study.notes},
                           {"points", std::move(points)}}
         .dump(2);
 }

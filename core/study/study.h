@@ -26,7 +26,8 @@ struct StudyPoint
     double p99 = 0;   ///< 99th percentile of |error|, fraction of the range
     double worst = 0; ///< largest |error|, fraction of the range
     std::uint64_t samples = 0;
-    bool onFront = false; ///< nobody of its class is cheaper and as accurate
+    bool onFront = false;      ///< nobody of its class is cheaper and as accurate
+    std::uint64_t refused = 0; ///< queries that the method refused; left out of the errors
 
     bool operator==(const StudyPoint&) const = default;
 };
@@ -40,9 +41,12 @@ struct Study
     std::string subject;    ///< what it ran on
     std::string conditions; ///< machine, threads, seeds: what one needs to repeat it
     std::vector<StudyPoint> points;
+    std::vector<std::string> notes; ///< sentences on what was refused or left out, and why
 };
 
-/// Hears of points as they are measured; from the thread that runs the study.
+/// Hears of points as they are measured; from the thread that runs the study. A point comes again
+/// when its cost is known better: one of the same series, variant and class takes the place of the
+/// former.
 class StudyWatcher : public Progress
 {
 public:
