@@ -35,6 +35,9 @@ std::span<const MethodEntry> filterMethods()
         nearestLevelMethod(),
         rectilinearBilinearMethod(),
         trilinearMethod(),
+        latticeLinearMethod(),
+        probesOneLevelMethod(),
+        probesTwoLevelsMethod(),
         exactMethod(),
     };
     return kMethods;

@@ -31,6 +31,7 @@ FilterSurface FilterSurface::fromMesh(const TriangleMesh& mesh, Adjacency adjace
         surface.m_shapes.push_back(faceShapeOf(mesh.corners(faceId(f))));
     }
     surface.measureLengths();
+    surface.layCrossings();
     return surface;
 }
 
@@ -41,6 +42,7 @@ FilterSurface FilterSurface::equilateral(Adjacency adjacency)
     surface.m_shapes.assign(adjacency.faceCount(), FaceShape{});
     surface.m_adjacency = std::move(adjacency);
     surface.measureLengths();
+    surface.layCrossings();
     return surface;
 }
 
@@ -79,6 +81,26 @@ double FilterSurface::log2Length(FaceId face, glm::dvec2 uv) const
 {
     return (1 - uv.x - uv.y) * log2Length(face, 0) + uv.x * log2Length(face, 1) +
            uv.y * log2Length(face, 2);
+}
+
+void FilterSurface::layCrossings()
+{
+    m_steps.resize(faceCount());
+    for (std::size_t f = 0; f < faceCount(); ++f) {
+        for (const LocalEdge edge : kLocalEdges) {
+            const auto across = crossing(faceId(f), edge);
+            if (!across) {
+                continue;
+            }
+            EdgeStep& step = m_steps[f].edges[indexOf(edge)];
+            step.across =
+                static_cast<std::uint32_t>(indexOf(across->face) << 2U | indexOf(across->edge));
+            step.turn = {static_cast<float>(across->perU.x),
+                         static_cast<float>(across->perU.y),
+                         static_cast<float>(across->perV.x),
+                         static_cast<float>(across->perV.y)};
+        }
+    }
 }
 
 void FilterSurface::measureLengths()

@@ -6,6 +6,7 @@
 #include "core/mesh/vertex_rings.h"
 
 #include <array>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
@@ -69,6 +70,21 @@ public:
     /// Nothing at a border.
     std::optional<Crossing> crossing(FaceId face, LocalEdge edge) const;
 
+    /// A crossing for straight walks, compact: the line leaves at a point of the edge, which the
+    /// neighbour sees at the mirrored point, so that only the direction needs the shapes.
+    struct EdgeStep
+    {
+        static constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
+
+        std::uint32_t across = kBorder; ///< neighbour << 2 | edge as it numbers it
+        std::array<float, 4> turn{};    ///< (du',dv') = du turn[0,1] + dv turn[2,3]
+    };
+    struct alignas(64) FaceSteps
+    {
+        std::array<EdgeStep, 3> edges;
+    };
+    const FaceSteps& steps(FaceId face) const { return m_steps[indexOf(face)]; }
+
     /// Mean log2 of the lengths of the edges that meet at a corner: one number a vertex, so that
     /// what is interpolated from it over the faces is continuous.
     double log2Length(FaceId face, int corner) const
@@ -80,10 +96,12 @@ public:
 
 private:
     void measureLengths();
+    void layCrossings();
 
     Adjacency m_adjacency;
     VertexRings m_rings;
     std::vector<FaceShape> m_shapes;
+    std::vector<FaceSteps> m_steps;
     std::vector<double> m_log2Lengths; // of each ring
 };
 

@@ -11,6 +11,9 @@ MethodEntry pointMethod();
 MethodEntry nearestLevelMethod();
 MethodEntry rectilinearBilinearMethod();
 MethodEntry trilinearMethod();
+MethodEntry latticeLinearMethod();
+MethodEntry probesOneLevelMethod();
+MethodEntry probesTwoLevelsMethod();
 MethodEntry exactMethod();
 
 } // namespace trixel
