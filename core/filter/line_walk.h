@@ -15,10 +15,10 @@ namespace trixel {
 struct LineSegment
 {
     FaceId face{};
-    float begin = 0;
-    float end = 0;
-    glm::vec2 start{0};
-    glm::vec2 step{0};
+    double begin = 0;
+    double end = 0;
+    glm::dvec2 start{0};
+    glm::dvec2 step{0};
 };
 
 /// Faces that a line may run through; beyond them is as beyond a border.
@@ -28,7 +28,7 @@ struct LineWalk
 {
     std::size_t count = 0;
     /// Where the line ended: the reach, or before it where there is a border.
-    float end = 0;
+    double end = 0;
     std::array<LineSegment, kMostSegments> segments;
 };
 
@@ -37,9 +37,9 @@ struct LineWalk
 /// \param step   change of (u,v) for t = 1; finite
 void walkLine(const FilterSurface& surface,
               FaceId face,
-              glm::vec2 start,
-              glm::vec2 step,
-              float reach,
+              glm::dvec2 start,
+              glm::dvec2 step,
+              double reach,
               LineWalk& walk);
 
 } // namespace trixel

@@ -34,7 +34,7 @@ probePlan(const QueryEllipse& ellipse, const FaceShape& shape, const ProbeSettin
     // spacing shrinks instead of the number.
     const double step =
         std::max(std::min(most, 2 * rest), kSupport * rest * 2 / (settings.most + 1));
-    plan.step = glm::vec2(shape.toUv(ellipse.majorAxis * step));
+    plan.step = shape.toUv(ellipse.majorAxis * step);
     plan.support = step > 0 ? static_cast<float>(kSupport * rest / step) : 1.5F;
     plan.perSide = std::max(1, static_cast<int>(std::ceil(plan.support - 0.5F)));
     return plan;

@@ -24,7 +24,7 @@ struct ProbeSettings
 struct ProbePlan
 {
     LevelBlend levels;
-    glm::vec2 step{0}; ///< in (u,v) of the face
+    glm::dvec2 step{0}; ///< in (u,v) of the face
     float support = 1.5F;
     int perSide = 1;
 };

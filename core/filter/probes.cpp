@@ -20,30 +20,31 @@ public:
     {
     }
 
-    void addSide(FaceId face, glm::vec2 centre, float sign)
+    void addSide(FaceId face, glm::dvec2 centre, double sign)
     {
         // A probe stands for the step around it, which a border may cut: up to its end.
-        const auto reach = static_cast<float>(m_plan.perSide);
+        const double reach = m_plan.perSide;
         walkLine(m_scene.surface(), face, centre, sign * m_plan.step, reach, m_walk);
         std::size_t segment = 0;
         for (int k = 0; k < m_plan.perSide; ++k) {
-            const float inside = std::min(m_walk.end - static_cast<float>(k), 1.0F);
+            const double inside = std::min(m_walk.end - k, 1.0);
             if (!(inside > 0)) {
                 break;
             }
-            const float t = static_cast<float>(k) + inside / 2;
+            const double t = k + inside / 2;
             while (segment + 1 < m_walk.count && m_walk.segments[segment].end < t) {
                 ++segment;
             }
             const LineSegment& within = m_walk.segments[segment];
             add(within.face,
                 within.start + (t - within.begin) * within.step,
-                inside * probeWeight(static_cast<float>(k) + 0.5F, m_plan.support));
+                static_cast<float>(inside) *
+                    probeWeight(static_cast<float>(k) + 0.5F, m_plan.support));
         }
     }
 
     /// Where no probe lies on the surface.
-    void addCentre(FaceId face, glm::vec2 uv)
+    void addCentre(FaceId face, glm::dvec2 uv)
     {
         if (!(m_weight > 0)) {
             add(face, uv, 1);
@@ -59,7 +60,7 @@ public:
     }
 
 private:
-    void add(FaceId face, glm::vec2 uv, float weight)
+    void add(FaceId face, glm::dvec2 uv, float weight)
     {
         m_weight += weight;
         const LevelBlend& levels = m_plan.levels;
@@ -73,7 +74,7 @@ private:
         }
     }
 
-    void look(FaceId face, int level, glm::vec2 uv, float weight)
+    void look(FaceId face, int level, glm::dvec2 uv, float weight)
     {
         addInterpolated(m_scene.pyramid(), face, level, m_group, uv, weight, m_sum);
         m_taps += 3;
@@ -106,7 +107,7 @@ public:
                    [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
                        const ProbePlan plan =
                            probePlan(ellipse, scene.surface().shape(face), m_settings);
-                       const glm::vec2 centre(ellipse.uv);
+                       const glm::dvec2 centre(ellipse.uv);
                        ProbeLine line(scene, plan, group);
                        line.addSide(face, centre, 1);
                        line.addSide(face, centre, -1);
