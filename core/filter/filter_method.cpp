@@ -38,6 +38,7 @@ std::span<const MethodEntry> filterMethods()
         latticeLinearMethod(),
         probesOneLevelMethod(),
         probesTwoLevelsMethod(),
+        referenceLoopMethod(),
         exactMethod(),
     };
     return kMethods;

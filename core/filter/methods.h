@@ -14,6 +14,7 @@ MethodEntry trilinearMethod();
 MethodEntry latticeLinearMethod();
 MethodEntry probesOneLevelMethod();
 MethodEntry probesTwoLevelsMethod();
+MethodEntry referenceLoopMethod();
 MethodEntry exactMethod();
 
 } // namespace trixel

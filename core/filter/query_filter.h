@@ -22,6 +22,39 @@ struct QueryCost
     std::uint32_t taps = 0;
 };
 
+/// Puts the channels that exist into the results.
+inline void storeAnswer(const FilterResults& results,
+                        std::size_t query,
+                        int group,
+                        int channels,
+                        const GroupValue& value)
+{
+    const int first = group * kGroupChannels;
+    for (int c = first; c < std::min(first + kGroupChannels, channels); ++c) {
+        results.values[static_cast<std::size_t>(c) * results.stride + query] =
+            value[static_cast<std::size_t>(c - first)];
+    }
+}
+
+inline void storeCost(const FilterResults& results, std::size_t query, const QueryCost& cost)
+{
+    if (!results.levels.empty()) {
+        results.levels[query] = cost.level;
+    }
+    if (!results.taps.empty()) {
+        results.taps[query] = cost.taps;
+    }
+}
+
+/// That there is room for the answers.
+inline void
+checkRoom(const FilterScene& scene, const FilterQueries& queries, const FilterResults& results)
+{
+    check(results.values.size() >=
+              static_cast<std::size_t>(scene.channels() - 1) * results.stride + queries.size(),
+          "room for every value");
+}
+
 /// Calls answer(ellipse, face, group, value) → QueryCost for every query with a finite centre and
 /// every group of four channels; the others get their face's average. A refused query (taps ==
 /// kRefusedTaps) gets the average too.
@@ -31,10 +64,7 @@ void filterEach(const FilterScene& scene,
                 const FilterResults& results,
                 const Answer& answer)
 {
-    const int channels = scene.channels();
-    check(results.values.size() >=
-              static_cast<std::size_t>(channels - 1) * results.stride + queries.size(),
-          "room for every value");
+    checkRoom(scene, queries, results);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const QueryEllipse ellipse = queryEllipse(scene, queries, i);
         const FaceId face = queries.face[i];
@@ -49,18 +79,9 @@ void filterEach(const FilterScene& scene,
             if (!ellipse.hasCentre || cost.taps == kRefusedTaps) {
                 std::copy_n(scene.mips().average(face, group), kGroupChannels, value.begin());
             }
-            const int first = group * kGroupChannels;
-            for (int c = first; c < std::min(first + kGroupChannels, channels); ++c) {
-                results.values[static_cast<std::size_t>(c) * results.stride + i] =
-                    value[static_cast<std::size_t>(c - first)];
-            }
+            storeAnswer(results, i, group, scene.channels(), value);
         }
-        if (!results.levels.empty()) {
-            results.levels[i] = cost.level;
-        }
-        if (!results.taps.empty()) {
-            results.taps[i] = cost.taps;
-        }
+        storeCost(results, i, cost);
     }
 }
 
