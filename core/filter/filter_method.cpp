@@ -39,6 +39,9 @@ std::span<const MethodEntry> filterMethods()
         probesOneLevelMethod(),
         probesTwoLevelsMethod(),
         referenceLoopMethod(),
+        separableMethod(),
+        equalProbesMethod(),
+        stochasticMethod(),
         exactMethod(),
     };
     return kMethods;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace trixel {
 
@@ -17,10 +18,15 @@ inline double levelOfEdge(const QueryEllipse& ellipse, double length)
     return ellipse.log2Edge - std::log2(length);
 }
 
-/// Width that filters which know no direction take an ellipse to have.
-inline double roundWidth(const QueryEllipse& ellipse)
+/// Edge of the level's texels, in standard deviations, at which bilinear interpolation in rows
+/// averages like a Gaussian: a texel's own variance s²/24 along any axis and the interpolation's,
+/// s²/24 along x and s²/8 along y, make s²/8 in the mean.
+inline constexpr double kEdgePerSigma = 2 * std::numbers::sqrt2;
+
+/// The level for filters that know no direction: by the geometric mean of the ellipse's axes.
+inline double roundLevel(const QueryEllipse& ellipse)
 {
-    return 2 * std::sqrt(ellipse.majorSigma * ellipse.minorSigma);
+    return levelOfEdge(ellipse, kEdgePerSigma * std::sqrt(ellipse.majorSigma * ellipse.minorSigma));
 }
 
 /// The nearest level that the face has.

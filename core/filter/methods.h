@@ -15,6 +15,9 @@ MethodEntry latticeLinearMethod();
 MethodEntry probesOneLevelMethod();
 MethodEntry probesTwoLevelsMethod();
 MethodEntry referenceLoopMethod();
+MethodEntry separableMethod();
+MethodEntry equalProbesMethod();
+MethodEntry stochasticMethod();
 MethodEntry exactMethod();
 
 } // namespace trixel

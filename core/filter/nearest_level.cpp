@@ -18,8 +18,7 @@ public:
                    queries,
                    results,
                    [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const Level level =
-                           nearestLevel(scene, face, levelOfEdge(ellipse, roundWidth(ellipse)));
+                       const Level level = nearestLevel(scene, face, roundLevel(ellipse));
                        std::copy_n(texelUnder(scene, {face, ellipse.uv}, level, group),
                                    kGroupChannels,
                                    value.begin());

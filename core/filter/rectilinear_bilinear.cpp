@@ -18,8 +18,7 @@ public:
                    queries,
                    results,
                    [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const Level level =
-                           nearestLevel(scene, face, levelOfEdge(ellipse, roundWidth(ellipse)));
+                       const Level level = nearestLevel(scene, face, roundLevel(ellipse));
                        TexelSum sum;
                        addRectilinearBilinear(scene, {face, ellipse.uv}, level, group, 1, sum);
                        sum.store(value.data());

@@ -76,17 +76,24 @@ public:
 
     const float* texel(RowTexel at) const
     {
+        const float* inside = texelInside(at);
+        return inside != nullptr ? inside : texelBeyond(at);
+    }
+
+    /// Null where the texel is not of this face.
+    const float* texelInside(RowTexel at) const
+    {
         const int i = at.i();
         const int j = at.j();
         const bool lower = at.isLower();
         // Column and row of a cell beyond the edges u = 0 and v = 0 are negative.
-        if (i >= 0 && j >= 0 && i + j + (lower ? 0 : 1) < m_resolution) {
-            const int last = m_resolution - 1;
-            const int x = lower ? i : last - j;
-            const int y = lower ? j : last - i;
-            return m_texels.texel(static_cast<TexelIndex>(x + y * m_resolution));
+        if (i < 0 || j < 0 || i + j + (lower ? 0 : 1) >= m_resolution) {
+            return nullptr;
         }
-        return texelBeyond(at);
+        const int last = m_resolution - 1;
+        const int x = lower ? i : last - j;
+        const int y = lower ? j : last - i;
+        return m_texels.texel(static_cast<TexelIndex>(x + y * m_resolution));
     }
 
     int resolution() const { return m_resolution; }

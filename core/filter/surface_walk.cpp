@@ -47,7 +47,7 @@ Exit exitOf(glm::dvec2 from, glm::dvec2 to, std::optional<LocalEdge> entered)
 SurfaceWalk walkStraight(const FilterSurface& surface,
                          const SurfacePlace& from,
                          glm::dvec2 step,
-                         glm::dvec2 carried)
+                         const glm::dmat2& carried)
 {
     SurfaceWalk walk{from, carried, false};
     glm::dvec2 target = from.uv + step;
@@ -66,7 +66,7 @@ SurfaceWalk walkStraight(const FilterSurface& surface,
             return walk;
         }
         walk.end = {crossing->face, broughtInside(crossing->point(walk.end.uv))};
-        walk.carried = crossing->vector(walk.carried);
+        walk.carried = {crossing->vector(walk.carried[0]), crossing->vector(walk.carried[1])};
         target = crossing->point(target);
         entered = crossing->edge;
     }

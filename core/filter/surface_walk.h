@@ -5,6 +5,7 @@
 
 #include "core/filter/filter_surface.h"
 
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 
 namespace trixel {
@@ -20,8 +21,8 @@ struct SurfacePlace
 struct SurfaceWalk
 {
     SurfacePlace end;
-    /// The vector that was carried along, in (u,v) of the face where the walk ended.
-    glm::dvec2 carried{0};
+    /// The vectors that were carried along, in (u,v) of the face where the walk ended.
+    glm::dmat2 carried{0};
     /// Whether a border or the limit of crossings ended it early.
     bool stopped = false;
 };
@@ -34,10 +35,10 @@ inline constexpr int kMostCrossings = 256;
 /// (`FilterSurface::crossing`), and stops at a border.
 /// \param from     inside the face
 /// \param step     finite, in (u,v) of that face
-/// \param carried  a further vector in (u,v) of that face, turned along with the faces
+/// \param carried  two further vectors in (u,v) of that face, turned along with the faces
 SurfaceWalk walkStraight(const FilterSurface& surface,
                          const SurfacePlace& from,
                          glm::dvec2 step,
-                         glm::dvec2 carried = glm::dvec2(0));
+                         const glm::dmat2& carried = glm::dmat2(0));
 
 } // namespace trixel

@@ -18,7 +18,7 @@ public:
                    queries,
                    results,
                    [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const double level = levelOfEdge(ellipse, roundWidth(ellipse));
+                       const double level = roundLevel(ellipse);
                        TexelSum sum;
                        const std::uint32_t taps =
                            addTrilinear(scene, {face, ellipse.uv}, level, group, 1, sum);

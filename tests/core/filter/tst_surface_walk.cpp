@@ -40,14 +40,14 @@ TEST(SurfaceWalk, onAFlatIrregularMeshItIsAStraightLine)
         const double length = dice.between(0, 4);
         const glm::dvec2 step = shape.toUv(length * glm::dvec2(std::cos(angle), std::sin(angle)));
         const glm::dvec2 carried = shape.toUv({dice.uniform(), dice.uniform()});
-        const SurfaceWalk walk = walkStraight(surface, from, step, carried);
+        const SurfaceWalk walk = walkStraight(surface, from, step, {carried, -step});
         if (walk.stopped) {
             continue;
         }
         ++inside;
         const glm::dvec3 expected = worldOf(mesh, from) + worldVector(mesh, from.face, step);
         EXPECT_LT(glm::length(worldOf(mesh, walk.end) - expected), 1e-5);
-        EXPECT_LT(glm::length(worldVector(mesh, walk.end.face, walk.carried) -
+        EXPECT_LT(glm::length(worldVector(mesh, walk.end.face, walk.carried[0]) -
                               worldVector(mesh, from.face, carried)),
                   1e-5);
     }
@@ -63,9 +63,9 @@ TEST(SurfaceWalk, theWayBackLeadsHome)
         for (int k = 0; k < 300; ++k) {
             const SurfacePlace from{faceId(dice.below(mesh.faceCount())), randomPoint(dice)};
             const glm::dvec2 step(dice.between(-3, 3), dice.between(-3, 3));
-            const SurfaceWalk there = walkStraight(surface, from, step, step);
+            const SurfaceWalk there = walkStraight(surface, from, step, {glm::dvec2(0), step});
             EXPECT_FALSE(there.stopped);
-            const SurfaceWalk back = walkStraight(surface, there.end, -there.carried);
+            const SurfaceWalk back = walkStraight(surface, there.end, -there.carried[1]);
             EXPECT_EQ(back.end.face, from.face);
             EXPECT_LT(glm::length(back.end.uv - from.uv), 1e-9);
         }
