@@ -23,21 +23,30 @@ Result<std::unique_ptr<Renderer>> Renderer::create()
     if (!surface) {
         return tl::unexpected(surface.error());
     }
+    auto picture = PicturePass::create(*gl);
+    if (!picture) {
+        return tl::unexpected(picture.error());
+    }
     auto overlay = OverlayPass::create(*gl);
     if (!overlay) {
         return tl::unexpected(overlay.error());
     }
-    return std::unique_ptr<Renderer>(new Renderer(
-        std::move(gl), std::move(*background), std::move(*surface), std::move(*overlay)));
+    return std::unique_ptr<Renderer>(new Renderer(std::move(gl),
+                                                  std::move(*background),
+                                                  std::move(*surface),
+                                                  std::move(*picture),
+                                                  std::move(*overlay)));
 }
 
 Renderer::Renderer(std::unique_ptr<Gl> gl,
                    std::unique_ptr<QOpenGLShaderProgram> background,
                    std::unique_ptr<SurfacePass> surface,
+                   std::unique_ptr<PicturePass> picture,
                    std::unique_ptr<OverlayPass> overlay)
     : m_gl(std::move(gl))
     , m_background(std::move(background))
     , m_surface(std::move(surface))
+    , m_picture(std::move(picture))
     , m_overlay(std::move(overlay))
 {
     m_gl->glGenVertexArrays(1, &m_vertexArray);
@@ -104,6 +113,8 @@ void Renderer::draw(const Scene& scene)
     m_gl->glBindVertexArray(m_vertexArray);
     drawBackground();
     m_surface->draw(scene.camera, scene.surface);
+    m_gl->glBindVertexArray(m_vertexArray);
+    m_picture->draw();
     m_gl->glBindVertexArray(0);
     m_overlay->draw(scene.camera, scene.overlays, scene.surface.pixelRatio);
 }

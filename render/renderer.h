@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "render/camera.h"
 #include "render/overlay_pass.h"
+#include "render/picture_pass.h"
 #include "render/surface_pass.h"
 
 #include <memory>
@@ -44,6 +45,9 @@ public:
     std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);
     const DisplayTexels& texels() const { return m_texels; }
 
+    /// A picture laid over the surface and under the lines; see `PicturePass`.
+    PicturePass& picture() { return *m_picture; }
+
     /// Compiles every program at once instead of when it is first used; for tests.
     Status makeAllPrograms() { return m_surface->makeAllPrograms(); }
 
@@ -54,12 +58,14 @@ private:
     Renderer(std::unique_ptr<Gl> gl,
              std::unique_ptr<QOpenGLShaderProgram> background,
              std::unique_ptr<SurfacePass> surface,
+             std::unique_ptr<PicturePass> picture,
              std::unique_ptr<OverlayPass> overlay);
     void drawBackground();
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
     std::unique_ptr<SurfacePass> m_surface;
+    std::unique_ptr<PicturePass> m_picture;
     std::unique_ptr<OverlayPass> m_overlay;
     GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
     DisplayTexels m_texels;

@@ -2,84 +2,79 @@
 #include "core/study/value_range.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <vector>
 
 namespace trixel {
+
 namespace {
 
-/// Least and greatest of every channel of a group.
-struct Bounds
-{
-    std::array<float, kGroupChannels> low;
-    std::array<float, kGroupChannels> high;
+constexpr float kNever = std::numeric_limits<float>::infinity();
 
-    Bounds()
-    {
-        low.fill(std::numeric_limits<float>::infinity());
-        high.fill(-std::numeric_limits<float>::infinity());
-    }
-    void add(const float* texel)
-    {
-        for (std::size_t c = 0; c < low.size(); ++c) {
-            if (std::isfinite(texel[c])) {
-                low[c] = std::min(low[c], texel[c]);
-                high[c] = std::max(high[c], texel[c]);
+} // namespace
+
+ValueBounds ValueBounds::of(const FloatMips& mips, Threads threads)
+{
+    constexpr std::size_t kGrain = 256;
+    ValueBounds all;
+    std::mutex mutex;
+    parallelFor(mips.faceCount(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+        ValueBounds part;
+        for (std::size_t f = begin; f < end; ++f) {
+            // Unpainted meshes are long runs of one value.
+            if (f == begin || !mips.share(faceId(f), faceId(f - 1))) {
+                part.add(mips, faceId(f));
             }
         }
-    }
-    void add(const Bounds& other)
-    {
-        for (std::size_t c = 0; c < low.size(); ++c) {
-            low[c] = std::min(low[c], other.low[c]);
-            high[c] = std::max(high[c], other.high[c]);
-        }
-    }
-};
+        const std::lock_guard lock(mutex);
+        all.add(part.m_channels);
+    });
+    return all;
+}
 
-void addFace(const FloatMips& mips, FaceId face, std::vector<Bounds>& groups)
+void ValueBounds::add(const FloatMips& mips, FaceId face)
 {
+    const auto width = static_cast<std::size_t>(kGroupChannels);
+    m_channels.resize(static_cast<std::size_t>(mips.groups()) * width, {kNever, -kNever});
     const Level level = mips.level(face);
     const std::uint32_t count = mips.isConstant(face) ? 1 : level.texelCount();
     for (int group = 0; group < mips.groups(); ++group) {
         const LevelTexels texels = mips.texels(face, level, group);
-        Bounds& bounds = groups[static_cast<std::size_t>(group)];
+        Span* channels = &m_channels[static_cast<std::size_t>(group) * width];
         for (std::uint32_t i = 0; i < count; ++i) {
-            bounds.add(texels.texel(TexelIndex{i}));
+            const float* texel = texels.texel(TexelIndex{i});
+            for (std::size_t c = 0; c < width; ++c) {
+                if (std::isfinite(texel[c])) {
+                    channels[c].low = std::min(channels[c].low, texel[c]);
+                    channels[c].high = std::max(channels[c].high, texel[c]);
+                }
+            }
         }
     }
 }
 
-} // namespace
+void ValueBounds::add(std::span<const Span> others)
+{
+    m_channels.resize(std::max(m_channels.size(), others.size()), {kNever, -kNever});
+    for (std::size_t c = 0; c < others.size(); ++c) {
+        m_channels[c].low = std::min(m_channels[c].low, others[c].low);
+        m_channels[c].high = std::max(m_channels[c].high, others[c].high);
+    }
+}
+
+double ValueBounds::range() const
+{
+    double range = 0; // the span of channels never seen is negative
+    for (const Span& channel : m_channels) {
+        range = std::max(range, double{channel.high} - double{channel.low});
+    }
+    return range;
+}
 
 double valueRange(const FloatMips& mips, Threads threads)
 {
-    constexpr std::size_t kGrain = 256;
-    std::vector<Bounds> all(static_cast<std::size_t>(mips.groups()));
-    std::mutex mutex;
-    parallelFor(mips.faceCount(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-        std::vector<Bounds> part(all.size());
-        for (std::size_t f = begin; f < end; ++f) {
-            // Unpainted meshes are long runs of one value.
-            if (f == begin || !mips.share(faceId(f), faceId(f - 1))) {
-                addFace(mips, faceId(f), part);
-            }
-        }
-        const std::lock_guard lock(mutex);
-        for (std::size_t g = 0; g < all.size(); ++g) {
-            all[g].add(part[g]);
-        }
-    });
-    double range = 0;
-    for (const Bounds& bounds : all) {
-        for (std::size_t c = 0; c < bounds.low.size(); ++c) {
-            range = std::max(range, double{bounds.high[c]} - double{bounds.low[c]});
-        }
-    }
-    return range; // spans of no texel at all are -infinity
+    return ValueBounds::of(mips, threads).range();
 }
 
 } // namespace trixel
