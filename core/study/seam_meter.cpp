@@ -18,12 +18,20 @@ namespace {
 
 constexpr std::size_t kFacesAtOnce = 256;
 
-/// k of n points from 0 to 1. A multiple of 2⁻²⁰, so that the same point counted from the other
-/// end is a float as well: a rounded one would be another point, and its difference no jump.
-double pointAlong(int k, int n)
+/// Where to look along an edge. Thirds lie on the border of no texel. Multiples of 2⁻²⁰, so that
+/// the same point counted from the other end is a float as well: a rounded one would be another
+/// point, and its difference no jump.
+std::vector<double> pointsAlong(const SeamSettings& settings)
 {
     constexpr double kSteps = 1 << 20;
-    return std::round(kSteps * k / (n - 1)) / kSteps;
+    std::vector<double> points;
+    if (settings.ends) {
+        points = {0, 1};
+    }
+    for (int k = 0; k < settings.samples; ++k) {
+        points.push_back(std::round(kSteps * (k + 1.0 / 3) / settings.samples) / kSteps);
+    }
+    return points;
 }
 
 /// Axes along the edge and across it, as vectors in (u,v), each as long as a unit of the plane.
@@ -58,6 +66,7 @@ public:
         : m_scene(scene)
         , m_method(method)
         , m_settings(settings)
+        , m_points(pointsAlong(settings))
         , m_perRange(range > 0 ? 1 / range : 0)
     {
     }
@@ -91,8 +100,8 @@ private:
             return; // a border, or the other side's turn
         }
         const std::size_t before = m_places.size();
-        for (int k = 0; k < m_settings.samples; ++k) {
-            addPoint(face, edge, *crossing, pointAlong(k, m_settings.samples));
+        for (const double t : m_points) {
+            addPoint(face, edge, *crossing, t);
         }
         if (m_places.size() > before) {
             m_jumps.push_back({face,
@@ -182,6 +191,7 @@ private:
     const FilterScene& m_scene;
     const FilterMethod& m_method;
     const SeamSettings& m_settings;
+    std::vector<double> m_points;
     double m_perRange;
     std::vector<SeamJump> m_jumps;
     std::vector<Place> m_places;
@@ -224,7 +234,7 @@ Result<SeamReport> measureSeams(const FilterScene& scene,
                                 Threads threads,
                                 Progress& progress)
 {
-    check(settings.samples >= 2, "samples at both ends of an edge");
+    check(settings.samples >= 1, "samples along an edge");
     const double range = valueRange(scene.mips(), threads);
     const std::size_t batches = (scene.faceCount() + kFacesAtOnce - 1) / kFacesAtOnce;
     std::vector<SeamReport> parts(batches);

@@ -32,8 +32,12 @@ using FootprintAt = std::function<std::optional<Footprint>(FaceId, glm::dvec2 uv
 
 struct SeamSettings
 {
-    /// Points along each edge, its two ends among them. At least 2 (checked).
+    /// Points along each edge, evenly, none of them on a border between texels. At least 1
+    /// (checked).
     int samples = 6;
+    /// The two ends of the edge as well. A method that lays the faces about a vertex flat cannot
+    /// agree there with itself where their angles do not add up to a full turn.
+    bool ends = false;
     std::vector<SeamFootprint> footprints = {{1, 1}, {4, 1}, {4, 4}};
     /// Where given, this one footprint instead; edges that the view does not see are left out.
     /// Called from several threads.

@@ -11,6 +11,8 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <set>
+#include <string_view>
 
 namespace trixel {
 namespace {
@@ -167,7 +169,7 @@ TEST(SeamMeter, putsTheLargestJumpFirstAndSaysWhereItIs)
                                        }));
     EXPECT_EQ(report.jumps.front().face, faceId(0));
     EXPECT_EQ(report.jumps.front().edge, LocalEdge::E0);
-    EXPECT_FLOAT_EQ(report.jumps.front().along, 1.0F);
+    EXPECT_NEAR(report.jumps.front().along, (5 + 1.0 / 3) / 6, 1e-6); // the last of six
     EXPECT_TRUE(std::ranges::is_sorted(report.jumps, std::greater(), &SeamJump::jump));
 }
 
@@ -208,13 +210,20 @@ TEST(SeamMeter, methodsThatClaimContinuityHaveNoSeams)
 {
     const FilterScene scene = noiseScene(1, 5);
     for (const MethodEntry& entry : filterMethods()) {
-        if (entry.claims.edgeContinuous == Claim::Yes) {
-            const SeamReport report =
-                measured(scene, *makeMethod({std::string(entry.name), std::nullopt}));
-            EXPECT_LE(report.jumps.front().jump, kSeamless)
-                << entry.name << " at face " << indexOf(report.jumps.front().face) << " edge "
-                << indexOf(report.jumps.front().edge);
+        if (entry.claims.edgeContinuous != Claim::Yes) {
+            continue;
         }
+        // Laid flat, the faces about a vertex of a curved surface leave a cut.
+        const std::set<std::string_view> unfolding = {
+            "exact", "ewa", "ewa-blended", "ewa-base", "reference-loop"};
+        SeamSettings settings;
+        settings.ends = !unfolding.contains(entry.name);
+        const auto method = makeMethod({std::string(entry.name), std::nullopt});
+        const SeamReport report = measured(scene, *method, settings, Threads::all());
+        EXPECT_LE(report.jumps.front().jump, kSeamless)
+            << entry.name << " at face " << indexOf(report.jumps.front().face) << " edge "
+            << indexOf(report.jumps.front().edge);
+        EXPECT_EQ(report.refused, 0U) << entry.name;
     }
 }
 
