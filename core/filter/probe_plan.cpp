@@ -9,6 +9,9 @@ namespace {
 
 /// Support of (1 - (t/support)²)³ in sigmas: its variance is support²/9.
 constexpr double kSupport = 3.0;
+/// A footprint that is no longer than this for its width, in parts of its variance, counts as
+/// round: below it the rounding of W to floats decides which way its major axis points.
+constexpr double kRound = 1e-4;
 /// Longest line to a side, in edges of faces about the centre: keeps hostile footprints affordable.
 constexpr double kMostEdges = 128.0;
 
@@ -28,7 +31,11 @@ probePlan(const QueryEllipse& ellipse, const FaceShape& shape, const ProbeSettin
 
     ProbePlan plan;
     plan.levels = levelBlend(ellipse, minor, kVertexKernel, settings.band);
-    const double rest = std::sqrt(std::max(major - plan.levels.variance, 0.0));
+    // Along the major axis the probes make up for what their kernel lacks, too. A circle has no
+    // such axis: there the lack has to stay, or the answer would depend on which direction is
+    // called the major one.
+    const double lack = (minor - plan.levels.variance) * (1 - minor / std::max(major, minor));
+    const double rest = std::sqrt(std::max((1 - kRound) * major - minor + lack, 0.0));
     const double most = settings.spacing * std::sqrt(plan.levels.variance);
     // Two probes one sigma from the centre have the variance to a hair; closer than that the
     // spacing shrinks instead of the number.
