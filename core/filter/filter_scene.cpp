@@ -36,9 +36,12 @@ Result<FilterScene> FilterScene::build(std::shared_ptr<const FilterSurface> surf
 
 void FilterScene::update(const TexelStore& store, std::span<const TouchedRect> rects)
 {
+    const bool levelsChange = std::ranges::any_of(rects, [&](const TouchedRect& rect) {
+        return store.face(rect.face).level() != level(rect.face);
+    });
     m_mips.update(store, rects);
     m_pyramid.update(m_mips, m_surface->adjacency(), m_surface->rings(), rects);
-    if (std::ranges::any_of(rects, &TouchedRect::wholeFace)) {
+    if (levelsChange) {
         measureTexels();
     }
 }

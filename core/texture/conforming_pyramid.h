@@ -19,27 +19,17 @@
 #include "core/base/result.h"
 #include "core/mesh/vertex_rings.h"
 #include "core/texture/float_mips.h"
+#include "core/texture/shared_blocks.h"
 #include "core/texture/touched_rect.h"
+#include "core/texture/vertex_averages.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <vector>
 
 namespace trixel {
-
-/// Lattice vertices of a face at a level: (R+1)(R+2)/2, row j (v = j/R) from j(2R+3-j)/2 on.
-constexpr std::size_t latticeVertexCount(Level level)
-{
-    const std::size_t r = level.resolution();
-    return (r + 1) * (r + 2) / 2;
-}
-
-/// Where vertex (i/R, j/R) lies among them; i + j <= R.
-constexpr std::size_t latticeVertex(Level level, std::uint32_t i, std::uint32_t j)
-{
-    return std::size_t{j} * (2 * std::size_t{level.resolution()} + 3 - j) / 2 + i;
-}
 
 /// Averages of one face at one level: vertex k begins at values + stride * k, four channels.
 struct LevelVertices
@@ -48,13 +38,29 @@ struct LevelVertices
     std::uint32_t stride = kGroupChannels; ///< 0 where the face and all about it are one constant
 };
 
+namespace detail {
+
+/// Floats of one group below each level; one more for all of them.
+constexpr std::array<std::size_t, Level::kMax + 2> pyramidBegins()
+{
+    std::array<std::size_t, Level::kMax + 2> begins{};
+    for (int n = 0; n <= Level::kMax; ++n) {
+        begins[static_cast<std::size_t>(n) + 1] =
+            begins[static_cast<std::size_t>(n)] + kGroupChannels * latticeVertexCount(Level(n));
+    }
+    return begins;
+}
+inline constexpr auto kPyramidBegins = pyramidBegins();
+
+} // namespace detail
+
 class ConformingPyramid
 {
 public:
     ConformingPyramid() = default;
 
-    /// Fails only when cancelled. Faces whose texels and surroundings are shared share their
-    /// averages too.
+    /// Fails only when cancelled. Faces whose values and surroundings are alike, as those of tiles
+    /// are, share one block; a face that is one constant with all about it is one vertex.
     static Result<ConformingPyramid> build(const FloatMips& mips,
                                            const Adjacency& adjacency,
                                            const VertexRings& rings,
@@ -62,38 +68,52 @@ public:
                                            Progress& progress);
 
     /// Takes over what changed, after `mips` did: the lattice vertices about the touched texels,
-    /// those of neighbours among them, and their parents. Equal to building anew.
-    void update(const FloatMips& mips,
-                const Adjacency& adjacency,
-                const VertexRings& rings,
-                std::span<const TouchedRect> rects);
+    /// those of neighbours among them and what is derived from them, and their parents. Faces whose
+    /// level changed are made anew with all about them. The values are those of building anew.
+    /// \return  vertices that were set, all levels and groups
+    std::size_t update(const FloatMips& mips,
+                       const Adjacency& adjacency,
+                       const VertexRings& rings,
+                       std::span<const TouchedRect> rects);
 
-    std::size_t faceCount() const { return m_faces.size(); }
-    Level level(FaceId face) const { return m_faces[face]->level; }
+    std::size_t faceCount() const { return m_blocks.faceCount(); }
+    Level level(FaceId face) const { return m_blocks.block(face).level; }
 
     /// \param level  not above level(face) (checked)
     /// \param group  of four channels
-    LevelVertices vertices(FaceId face, Level level, int group = 0) const;
+    LevelVertices vertices(FaceId face, Level level, int group = 0) const
+    {
+        const SharedBlocks::Block& block = m_blocks.block(face);
+        check(level <= block.level, "a level that the face has");
+        const auto number = static_cast<std::size_t>(group);
+        if (block.constant) {
+            return {block.values.get() + number * kGroupChannels, 0};
+        }
+        return {block.values.get() + number * groupSize(block.level) + levelBegin(level)};
+    }
+
+    /// Floats of one group of channels before a level; coarse levels come first.
+    static constexpr std::size_t levelBegin(Level level)
+    {
+        return detail::kPyramidBegins[static_cast<std::size_t>(level.log2())];
+    }
+    /// Floats of one group of a face.
+    static constexpr std::size_t groupSize(Level base)
+    {
+        return detail::kPyramidBegins[static_cast<std::size_t>(base.log2()) + 1];
+    }
 
     /// Vertex values as addressed, all levels, whether stored or shared.
     std::uint64_t valueCount() const;
-    std::size_t memoryBytes() const;
+    std::size_t memoryBytes() const { return m_blocks.memoryBytes(); }
 
 private:
-    /// Levels from 0 up to the base, one group of channels after the other.
-    struct Face
-    {
-        Level level;
-        std::size_t groupSize = 0; ///< floats
-        std::unique_ptr<float[]> values;
-    };
+    class Builder;
 
-    static std::shared_ptr<const Face> makeFace(const FloatMips& mips,
-                                                const Adjacency& adjacency,
-                                                const VertexRings& rings,
-                                                FaceId id);
+    /// A block of its own for the face, every level spread out.
+    float* spreadOut(FaceId face);
 
-    FaceMap<std::shared_ptr<const Face>> m_faces;
+    SharedBlocks m_blocks;
     int m_groups = 0;
 };
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/face_map.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/lattice/texel.h"
+#include "core/texture/shared_blocks.h"
 #include "core/texture/texel_store.h"
 #include "core/texture/touched_rect.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 
 namespace trixel {
@@ -40,24 +39,27 @@ public:
     /// Fails only when cancelled.
     static Result<FloatMips> build(const TexelStore& store, Threads threads, Progress& progress);
 
-    /// Takes over what changed. Cost follows the faces that were touched.
-    void update(const TexelStore& store, std::span<const TouchedRect> rects);
+    /// Takes over what changed: the touched texels and their parents, and whole faces where a rect
+    /// says so or where the level or constancy changed. What others share is copied first.
+    /// \return  texels that were set, all levels and groups
+    std::size_t update(const TexelStore& store, std::span<const TouchedRect> rects);
 
-    std::size_t faceCount() const { return m_chains.size(); }
+    std::size_t faceCount() const { return m_chains.faceCount(); }
     int channels() const { return m_channels; }
     /// Groups of four channels.
     int groups() const { return (m_channels + kGroupChannels - 1) / kGroupChannels; }
 
-    Level level(FaceId face) const { return m_chains[face]->level; }
-    bool isConstant(FaceId face) const { return m_chains[face]->constant; }
+    Level level(FaceId face) const { return m_chains.block(face).level; }
+    bool isConstant(FaceId face) const { return m_chains.block(face).constant; }
 
     /// \param group  in [0, groups())
     /// \param level  not above level(face) (checked)
     LevelTexels texels(FaceId face, Level level, int group = 0) const
     {
-        const Chain& chain = *m_chains[face];
+        const SharedBlocks::Block& chain = m_chains.block(face);
         check(level <= chain.level, "a level that the face has");
-        const float* values = chain.values.get() + group * chain.groupSize;
+        const float* values = chain.values.get() + static_cast<std::size_t>(group) *
+                                                       groupSize(chain.level, chain.constant);
         return chain.constant ? LevelTexels{values, 0}
                               : LevelTexels{values + chainBegin(chain.level, level)};
     }
@@ -69,25 +71,32 @@ public:
     }
 
     /// Whether two faces share one set of values.
-    bool share(FaceId a, FaceId b) const { return m_chains[a] == m_chains[b]; }
+    bool share(FaceId a, FaceId b) const { return valuesOf(a) == valuesOf(b); }
+    /// The same for all faces that share one set of values, another for all others.
+    std::uint32_t valuesOf(FaceId face) const { return m_chains.blockNumber(face); }
+    /// Faces that share this face's values, itself among them.
+    std::uint32_t sharers(FaceId face) const { return m_chains.block(face).users; }
 
-    std::size_t memoryBytes() const;
+    std::size_t memoryBytes() const { return m_chains.memoryBytes(); }
 
 private:
-    /// Levels from the base down to 0, one group of channels after the other.
-    struct Chain
+    /// Floats before a level: finer ones come first, from the base down to level 0.
+    static constexpr std::size_t chainBegin(Level base, Level level)
     {
-        Level level;
-        bool constant = true;
-        std::size_t groupSize = 0; ///< floats
-        std::unique_ptr<float[]> values;
-    };
+        return kGroupChannels *
+               ((4 * std::size_t{base.texelCount()} - 4 * std::size_t{level.texelCount()}) / 3);
+    }
+    /// Floats of one group of channels.
+    static constexpr std::size_t groupSize(Level base, bool constant)
+    {
+        return kGroupChannels + (constant ? 0 : chainBegin(base, Level(0)));
+    }
 
-    static std::size_t chainBegin(Level base, Level level);
-    static std::shared_ptr<const Chain> makeChain(const TexelFormat& format,
-                                                  const FaceTexels& face);
+    float* renew(const TexelStore& store, FaceId face);
+    std::size_t updateRect(const TexelStore& store, const TouchedRect& rect);
 
-    FaceMap<std::shared_ptr<const Chain>> m_chains;
+    // Per face: levels from the base down to 0, one group of channels after the other.
+    SharedBlocks m_chains;
     int m_channels = 0;
 };
 
