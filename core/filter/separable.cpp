@@ -32,22 +32,25 @@ struct AxisWeights
     std::array<double, kMostWeights> weights;
 
     /// \param centre, sigma  in steps of the axis, which is 2 cut sigma + 1 of them at most
-    AxisWeights(double centre, double sigma)
+    /// \param zigzag         what is weighted lies that much above even numbers and below odd ones
+    AxisWeights(double centre, double sigma, double zigzag = 0)
     {
         const double reach = kCut * sigma;
         first = static_cast<int>(std::ceil(centre - reach));
         count = static_cast<int>(std::floor(centre + reach)) - first + 1;
-        double moments[3] = {0, 0, 0};
+        // Where the cut ends the weights unevenly, their mean is off the centre: they are tilted
+        // so that it is not, and an affine texture is kept.
+        double mean = 0;
+        double perTilt = 0;
         for (int k = 0; k < count; ++k) {
             const double x = first + k - centre;
+            const double place = x + sign(k) * zigzag;
             const double w = std::exp(-x * x / (2 * sigma * sigma));
             weights[static_cast<std::size_t>(k)] = w;
-            moments[0] += w;
-            moments[1] += w * x;
-            moments[2] += w * x * x;
+            mean += w * place;
+            perTilt += w * x * place;
         }
-        // Where the cut ends the weights unevenly their mean is off the centre: tilted back.
-        const double tilt = moments[2] > 0 ? -moments[1] / moments[2] : 0;
+        const double tilt = perTilt > 0 ? -mean / perTilt : 0;
         for (int k = 0; k < count; ++k) {
             weights[static_cast<std::size_t>(k)] *= 1 + tilt * (first + k - centre);
         }
@@ -56,6 +59,20 @@ struct AxisWeights
     double at(int k) const { return weights[static_cast<std::size_t>(k)]; }
     /// The number nearest to the centre, from 0.
     int middle() const { return count / 2; }
+    /// Mean of 1 at even numbers and -1 at odd ones.
+    double alternating() const
+    {
+        double sum = 0;
+        double all = 0;
+        for (int k = 0; k < count; ++k) {
+            sum += sign(k) * at(k);
+            all += at(k);
+        }
+        return sum / all;
+    }
+
+private:
+    double sign(int k) const { return ((first + k) & 1) == 0 ? 1.0 : -1.0; }
 };
 
 /// Standard deviations of the ellipse's bounding box along x = u + v/2 and y = v.
@@ -265,7 +282,9 @@ private:
         const double r = level.resolution();
         const AxisWeights columns(kColumnsPerTexel * (ellipse.uv.x + ellipse.uv.y / 2) * r,
                                   box.columns);
-        const AxisWeights rows(ellipse.uv.y * r - 0.5, box.rows);
+        // A texel's centroid lies a sixth of a row above the row's middle where its column and row
+        // are both even or both odd, below it elsewhere.
+        const AxisWeights rows(ellipse.uv.y * r - 0.5, box.rows, columns.alternating() / 6);
         const BoxSum sum(scene, {face, ellipse.uv}, level, group, columns, rows);
         sum.total().store(value.data());
         return {static_cast<float>(level.log2()),

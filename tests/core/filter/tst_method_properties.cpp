@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of properties: every method is held to what it claims, and seen to fail what it does
+// not, so that the table is neither too proud nor too modest.
+#include "tests/core/filter/filter_footprints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <limits>
+
+namespace trixel::test {
+namespace {
+
+/// How far results are off.
+struct Deviation
+{
+    double worst = 0;
+    double squares = 0;
+    std::size_t count = 0;
+
+    void add(double error)
+    {
+        // Whatever is not a number is the worst.
+        worst = std::isnan(error) ? std::numeric_limits<double>::infinity()
+                                  : std::max(worst, std::abs(error));
+        squares += error * error;
+        ++count;
+    }
+    double rms() const { return std::sqrt(squares / static_cast<double>(count)); }
+};
+
+/// What "in the mean" means: with its parameter at its most, a method's rms deviation is at most
+/// this (fraction of the value range).
+constexpr double kInTheMean = 0.01;
+
+/// Every claim, whichever it is, must be what was measured.
+void expectClaim(Claim claim, const Deviation& deviation, double bound)
+{
+    ASSERT_GT(deviation.count, 0U);
+    switch (claim) {
+    case Claim::Yes:
+        EXPECT_LE(deviation.worst, bound) << "claimed";
+        break;
+    case Claim::No:
+        EXPECT_GT(deviation.worst, bound) << "not claimed, but it holds";
+        break;
+    case Claim::InTheMean:
+        EXPECT_LE(deviation.rms(), kInTheMean) << "claimed in the mean";
+        EXPECT_GT(deviation.worst, bound) << "claimed in the mean only, but it holds";
+        break;
+    }
+}
+
+void compare(const ResultArrays& a, const ResultArrays& b, Deviation& deviation)
+{
+    for (std::size_t k = 0; k < a.values.size(); ++k) {
+        deviation.add(double{a.values[k]} - double{b.values[k]});
+    }
+}
+
+/// Closed meshes of valence 3 to 10, levels 0 to 6 at random, noise.
+const std::vector<TestScene>& irregularScenes()
+{
+    static const std::vector<TestScene> kScenes = [] {
+        std::vector<TestScene> scenes;
+        for (std::uint32_t valence = 3; valence <= 10; ++valence) {
+            TriangleMesh mesh = closedIrregular(valence, valence);
+            const auto levels = mixedLevels(mesh.faceCount(), 0, 6, valence);
+            scenes.push_back(makeScene(std::move(mesh), levels, noiseContent(valence)));
+        }
+        return scenes;
+    }();
+    return kScenes;
+}
+
+class MethodProperties : public testing::TestWithParam<std::string>
+{
+protected:
+    const MethodEntry& entry() const { return *findMethod(GetParam()); }
+
+    /// With the standard parameter, or the most where the claim is about the mean.
+    std::unique_ptr<const FilterMethod> method(Claim claim) const
+    {
+        if (claim == Claim::InTheMean) {
+            return makeMethod({GetParam(), entry().parameter->most});
+        }
+        return standardMethod(entry());
+    }
+};
+
+TEST_P(MethodProperties, constantKept)
+{
+    Deviation deviation; // fraction of the value
+    const auto filter = method(entry().claims.constantKept);
+    for (const float value : {1.0F, 1.0F / 3, -123456.7F, 3e-20F}) {
+        TriangleMesh mesh = closedIrregular(5, 1);
+        const auto levels = mixedLevels(mesh.faceCount(), 0, 6, 1);
+        const TestScene scene = makeScene(std::move(mesh), levels, constantContent(value));
+        const ResultArrays results = filtered(*filter, scene.filter, randomQueries(scene, 300, 2));
+        for (const float result : results.values) {
+            deviation.add(double{result} / double{value} - 1);
+        }
+    }
+    expectClaim(entry().claims.constantKept, deviation, 1e-6);
+}
+
+TEST_P(MethodProperties, affineKeptAtTheCentre)
+{
+    // A gradient of 1 over the width of the patch; footprints stay off its border.
+    const std::uint32_t n = 8;
+    const TestScene scene =
+        makeScene(flatPatch(n), Level(5), affineContent({1.0 / 12, 1.0 / 12, 0}, 0));
+    QueryArrays queries;
+    Dice dice(7);
+    while (queries.size() < 400) {
+        const FaceId face = faceId(2 * n * 3 + dice.below(4 * n));
+        const glm::dvec2 uv = randomPoint(dice);
+        const std::size_t column = indexOf(face) / 2 % n;
+        if (column >= 3 && column <= 4) {
+            add(queries, face, uv, randomFootprint(scene, face, dice, {0.25, 8, 4}));
+        }
+    }
+    Deviation deviation;
+    const ResultArrays results =
+        filtered(*method(entry().claims.affineKept), scene.filter, queries);
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const glm::dvec3 p = positionOf(scene, queries, k);
+        deviation.add(double{results.values[k]} - (p.x + p.y) / 12);
+    }
+    expectClaim(entry().claims.affineKept, deviation, 1e-5);
+}
+
+/// Points that are on no texel's border and footprints that rotate without rounding.
+QueryArrays exactlyRotatable(const QueryArrays& queries)
+{
+    // Odd multiples of 2^-13, also of w = 1 - u - v when the sum is even; and 2^-20.
+    const auto point = [](float x) { return (2 * std::floor(x * 4095) + 1) / 8192; };
+    const auto vector = [](float x) { return std::round(x * 1048576) / 1048576; };
+    QueryArrays result;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const glm::vec2 uv(point(queries.u[k]), point(queries.v[k]));
+        // w is an even multiple of 2^-13: kept off the borders of 1/64ths.
+        const float w = 1 - uv.x - uv.y;
+        if (!(w > 0) || w * 64 == std::floor(w * 64)) {
+            continue;
+        }
+        result.add(queries.face[k],
+                   uv,
+                   {vector(queries.uw1[k]), vector(queries.vw1[k])},
+                   {vector(queries.uw2[k]), vector(queries.vw2[k])});
+    }
+    return result;
+}
+
+TEST_P(MethodProperties, rotationOfVertexOrderChangesNothing)
+{
+    Deviation deviation;
+    const auto filter = method(entry().claims.rotationFree);
+    for (const TestScene& scene : irregularScenes()) {
+        const RotatedScene rotated = rotatedScene(scene, 4);
+        const QueryArrays queries = exactlyRotatable(randomQueries(scene, 60, 3));
+        compare(filtered(*filter, scene.filter, queries),
+                filtered(*filter, rotated.scene.filter, rotated.rotated(queries)),
+                deviation);
+    }
+    expectClaim(entry().claims.rotationFree, deviation, 1e-6);
+}
+
+TEST_P(MethodProperties, sameFromBothSidesOfAnEdge)
+{
+    Deviation deviation;
+    const auto filter = method(entry().claims.edgeContinuous);
+    for (const TestScene& scene : irregularScenes()) {
+        const EdgePairs pairs = edgePairs(scene, 100, 5);
+        compare(filtered(*filter, scene.filter, pairs.here),
+                filtered(*filter, scene.filter, pairs.there),
+                deviation);
+    }
+    expectClaim(entry().claims.edgeContinuous, deviation, 1e-5);
+}
+
+TEST_P(MethodProperties, sameForEveryPairOfVectorsOfAnEllipse)
+{
+    using Change = QueryArrays (*)(const QueryArrays&);
+    const Change swapped = [](const QueryArrays& queries) {
+        QueryArrays result = queries;
+        std::swap(result.uw1, result.uw2);
+        std::swap(result.vw1, result.vw2);
+        return result;
+    };
+    const Change negated = [](const QueryArrays& queries) {
+        QueryArrays result = queries;
+        for (std::size_t k = 0; k < queries.size(); ++k) {
+            result.uw1[k] = -result.uw1[k];
+            result.vw1[k] = -result.vw1[k];
+        }
+        return result;
+    };
+    // Any rotation of the two among themselves leaves W1 W1ᵀ + W2 W2ᵀ.
+    const Change turned = [](const QueryArrays& queries) {
+        QueryArrays result = queries;
+        for (std::size_t k = 0; k < queries.size(); ++k) {
+            const double angle = 0.1 + static_cast<double>(k);
+            const glm::dvec2 w1(queries.uw1[k], queries.vw1[k]);
+            const glm::dvec2 w2(queries.uw2[k], queries.vw2[k]);
+            const glm::vec2 a(std::cos(angle) * w1 + std::sin(angle) * w2);
+            const glm::vec2 b(std::cos(angle) * w2 - std::sin(angle) * w1);
+            result.uw1[k] = a.x;
+            result.vw1[k] = a.y;
+            result.uw2[k] = b.x;
+            result.vw2[k] = b.y;
+        }
+        return result;
+    };
+    Deviation deviation;
+    const auto filter = method(entry().claims.footprintFree);
+    for (const TestScene& scene : irregularScenes()) {
+        const QueryArrays queries = randomQueries(scene, 40, 6);
+        const ResultArrays results = filtered(*filter, scene.filter, queries);
+        for (const Change change : {swapped, negated, turned}) {
+            compare(results, filtered(*filter, scene.filter, change(queries)), deviation);
+        }
+    }
+    expectClaim(entry().claims.footprintFree, deviation, 1e-5);
+}
+
+/// Follows a result over a sweep of one number and finds the largest change over a step of 0.02 %:
+/// where it changes by more than the bound over a longer step, that step is halved.
+class PoppingSweep
+{
+public:
+    PoppingSweep(const FilterMethod& method,
+                 bool isRandom,
+                 const TestScene& scene,
+                 FaceId face,
+                 glm::dvec2 uv)
+        : m_method(method)
+        , m_isRandom(isRandom)
+        , m_scene(scene)
+        , m_face(face)
+        , m_uv(uv)
+    {
+    }
+
+    /// At one anisotropy, until the footprint is as long as an edge of the mesh. A longer one
+    /// reaches around these closed meshes, where an unfolding has to lay a face on this side or
+    /// on that.
+    void overWidths(double anisotropy, Deviation& deviation)
+    {
+        sweep(1.0 / 256, 1 / anisotropy, deviation, [=](double x) {
+            return std::pair(x, anisotropy);
+        });
+    }
+    void overAnisotropies(double across, Deviation& deviation)
+    {
+        sweep(1, 1 / across, deviation, [=](double x) { return std::pair(across, x); });
+    }
+
+private:
+    static constexpr double kStep = 2e-4; // in the logarithm
+    static constexpr double kBound = 1e-3;
+
+    template <class Shape>
+    void sweep(double low, double high, Deviation& deviation, const Shape& shape)
+    {
+        if (m_isRandom) {
+            sample(low, high, deviation, shape);
+            return;
+        }
+        const auto at = [&](double logarithm) {
+            const auto [across, anisotropy] = shape(std::exp(logarithm));
+            return value(across, anisotropy);
+        };
+        constexpr double kLongStep = kStep * 256;
+        double begin = std::log(low);
+        double from = at(begin);
+        while (begin < std::log(high)) {
+            const double to = at(begin + kLongStep);
+            narrow(at, begin, kLongStep, from, to, deviation);
+            from = to;
+            begin += kLongStep;
+        }
+    }
+
+    /// Steps of 0.02 % here and there, for what is random.
+    template <class Shape>
+    void sample(double low, double high, Deviation& deviation, const Shape& shape)
+    {
+        for (double x = std::log(low); x < std::log(high); x += 0.3) {
+            const auto [across, anisotropy] = shape(std::exp(x));
+            const auto [across2, anisotropy2] = shape(std::exp(x + kStep));
+            deviation.add(value(across2, anisotropy2) - value(across, anisotropy));
+        }
+    }
+
+    template <class At>
+    void
+    narrow(const At& at, double begin, double step, double from, double to, Deviation& deviation)
+    {
+        if (std::abs(to - from) <= kBound) {
+            deviation.add(0);
+            return;
+        }
+        if (step < 1.5 * kStep) {
+            deviation.add(to - from);
+            return;
+        }
+        const double middle = at(begin + step / 2);
+        narrow(at, begin, step / 2, from, middle, deviation);
+        narrow(at, begin + step / 2, step / 2, middle, to, deviation);
+    }
+
+    /// \param across  in edges of the mesh
+    double value(double across, double anisotropy) const
+    {
+        const double edge = std::exp2(m_scene.surface->log2Length(m_face, m_uv));
+        QueryArrays query;
+        add(query,
+            m_face,
+            m_uv,
+            planeFootprint(m_scene.surface->shape(m_face), across * edge, anisotropy, 0.4));
+        return double{filtered(m_method, m_scene.filter, query).values[0]};
+    }
+
+    const FilterMethod& m_method;
+    bool m_isRandom;
+    const TestScene& m_scene;
+    FaceId m_face;
+    glm::dvec2 m_uv;
+};
+
+TEST_P(MethodProperties, noPoppingWhenTheFootprintChanges)
+{
+    // On the finest faces, where there are most levels to pop between.
+    Deviation deviation;
+    const auto filter = method(entry().claims.levelContinuous);
+    Dice dice(8);
+    for (const std::size_t valence : {3U, 5U, 8U}) {
+        const TestScene& scene = irregularScenes()[valence - 3];
+        FaceId face{};
+        for (std::uint32_t f = 0; f < scene.mesh.faceCount(); ++f) {
+            face = scene.filter.level(faceId(f)) > scene.filter.level(face) ? faceId(f) : face;
+        }
+        const bool isRandom = entry().claims.levelContinuous == Claim::InTheMean;
+        PoppingSweep sweep(*filter, isRandom, scene, face, randomPoint(dice));
+        sweep.overWidths(1, deviation);
+        sweep.overWidths(1.5, deviation);
+        sweep.overWidths(6, deviation);
+        sweep.overAnisotropies(1.0 / 32, deviation);
+    }
+    expectClaim(entry().claims.levelContinuous, deviation, 1e-3);
+}
+
+std::vector<std::string> allMethods()
+{
+    std::vector<std::string> names;
+    for (const MethodEntry& method : filterMethods()) {
+        names.emplace_back(method.name);
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         MethodProperties,
+                         testing::ValuesIn(allMethods()),
+                         [](const testing::TestParamInfo<std::string>& method) {
+                             std::string name = method.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+} // namespace
+} // namespace trixel::test
