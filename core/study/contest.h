@@ -76,6 +76,9 @@ using Contestants = std::vector<std::unique_ptr<const Contestant>>;
 /// \param subjects  outlive the contestants
 Contestants tableContestants(const std::vector<StudySubject>& subjects);
 
+/// Tiles along each side of the patch that studies use: faces far from the middle cost memory.
+inline constexpr int kStudyTiles = 3;
+
 /// The stored distribution on both stored textures.
 /// \param tiles  see `buildTestScene`
 Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Progress& progress);

@@ -3,6 +3,7 @@
 
 #include "core/filter/query_ellipse.h"
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -33,6 +34,13 @@ inline constexpr double kGrazing = 8;
 /// Width is 2 σ_minor over the texel's edge, anisotropy σ_major / σ_minor; the floor of the ellipse
 /// counts in both.
 FootprintClass classOf(const QueryEllipse& ellipse);
+
+/// The classes of many queries, as numbers of the enumeration, in float: beside a boundary it may
+/// be the class across it. What is not finite counts as large or grazing.
+/// \param classes  one a query (checked)
+void classify(const FilterScene& scene,
+              const FilterQueries& queries,
+              std::span<std::uint8_t> classes);
 
 /// As people read it: "small round", "medium elongated", "large grazing".
 std::string_view nameOf(FootprintClass footprintClass);

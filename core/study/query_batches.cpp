@@ -27,13 +27,13 @@ std::vector<QueryBatch> makeBatches(const std::vector<StudySubject>& subjects,
         std::array<QueryBatch, kFootprintClasses> classes;
         QueryBatch mixture;
         mixture.subject = s;
+        std::vector<std::uint8_t> numbers(subject.queries.size());
+        classify(*subject.scene, subject.queries.queries(), numbers);
         for (std::size_t i = 0; i < subject.queries.size(); ++i) {
             if (!kept.empty() && !kept[s][i]) {
                 continue;
             }
-            const auto number = static_cast<std::size_t>(
-                classOf(queryEllipse(*subject.scene, subject.queries.queries(), i)));
-            append(classes[number], subject.queries, i);
+            append(classes[numbers[i]], subject.queries, i);
             append(mixture, subject.queries, i);
         }
         for (const FootprintClass footprintClass : footprintClasses()) {

@@ -12,9 +12,6 @@
 namespace trixel::app {
 namespace {
 
-/// Tiles along each side of the stored patch: faces far from the middle cost memory.
-constexpr int kStudyTiles = 3;
-
 struct Arguments
 {
     std::optional<std::string> file;

@@ -14,6 +14,7 @@ namespace trixel::app {
 
 /// Makes one study known below the verb, as AddVerb does.
 void addSpeedAccuracy(CLI::App& verb, Work& chosen);
+void addAuto(CLI::App& verb, Work& chosen);
 
 /// Draws a study's chart into the folder, as NAME.svg and NAME.png. Only the build with the window
 /// can; see `setChartWriter`.

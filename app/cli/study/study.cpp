@@ -7,7 +7,7 @@
 namespace trixel::app {
 namespace {
 
-constexpr AddVerb kStudies[] = {addSpeedAccuracy};
+constexpr AddVerb kStudies[] = {addSpeedAccuracy, addAuto};
 
 } // namespace
 
