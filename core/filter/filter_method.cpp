@@ -42,6 +42,9 @@ std::span<const MethodEntry> filterMethods()
         separableMethod(),
         equalProbesMethod(),
         stochasticMethod(),
+        ewaMethod(),
+        ewaBlendedMethod(),
+        ewaBaseMethod(),
         exactMethod(),
     };
     return kMethods;

@@ -18,6 +18,8 @@ struct TexelRun
     std::uint32_t first = 0; ///< packed index
     std::uint32_t count = 0; ///< at least 1
     glm::dvec2 centroid{0};  ///< of the first, in the unit frame
+    double height = 0;       ///< signed distance of their line from the origin
+    double foot = 0;         ///< where it is nearest, in texels from the first
 };
 
 /// One half of a face's texels: row y, column x of the packed square has its centroid at
@@ -80,7 +82,9 @@ void forRunsInCircle(const HalfLattice& lattice, double radius, const Visit& vis
         if (begin <= end) {
             visit(TexelRun{static_cast<std::uint32_t>(begin + y * resolution),
                            static_cast<std::uint32_t>(end - begin) + 1,
-                           row + begin * along});
+                           row + begin * along,
+                           h,
+                           middle - begin});
         }
     }
 }

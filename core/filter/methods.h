@@ -18,6 +18,9 @@ MethodEntry referenceLoopMethod();
 MethodEntry separableMethod();
 MethodEntry equalProbesMethod();
 MethodEntry stochasticMethod();
+MethodEntry ewaMethod();
+MethodEntry ewaBlendedMethod();
+MethodEntry ewaBaseMethod();
 MethodEntry exactMethod();
 
 } // namespace trixel

@@ -215,4 +215,7 @@ TEST_P(GaussianFilter, answersEveryQueryWithANumber)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, GaussianFilter, ::testing::Values("exact"));
+INSTANTIATE_TEST_SUITE_P(
+    Methods,
+    GaussianFilter,
+    ::testing::Values("exact", "ewa", "ewa:2", "ewa-blended", "ewa-blended:0.7", "ewa-base"));

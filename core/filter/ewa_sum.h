@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The inner loop of EWA: texels of one level under a window, face by face.
+#pragma once
+
+#include "core/filter/gaussian_window.h"
+#include "core/filter/query_filter.h"
+#include "core/filter/unfolding.h"
+
+#include <cstdint>
+#include <span>
+
+namespace trixel {
+
+/// Weighted mean of texels.
+class EwaSum
+{
+public:
+    /// Adds the face's texels of a level, or of its base where that is coarser. The covariance of
+    /// the ellipse is lessened by that of a texel's box beyond a base texel's, so that box and
+    /// Gaussian together spread as far as the Gaussian alone over the base level; by half at most.
+    /// Weights are times texel area and of equal mass whatever was subtracted.
+    /// \param frame  of the ellipse
+    void add(const FilterScene& scene,
+             const PlacedFace& place,
+             const EllipseFrame& frame,
+             const GaussianWindow& window,
+             int level,
+             int group);
+
+    double weight() const { return m_weight; }
+    std::uint64_t taps() const { return m_taps; }
+    /// \param channel  in [0, 4); weight() is not 0
+    float mean(std::size_t channel) const
+    {
+        return m_reference[channel] + static_cast<float>(m_values[channel] / m_weight);
+    }
+
+private:
+    // Values count from the first texel's: where all are alike, so is the mean, to the bit.
+    GroupValue m_reference{};
+    std::array<double, kGroupChannels> m_values{};
+    double m_weight = 0;
+    std::uint64_t m_taps = 0;
+};
+
+} // namespace trixel
