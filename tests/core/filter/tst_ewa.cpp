@@ -130,12 +130,12 @@ TEST(Ewa, takesTheVarianceOfMipsOff)
     const TriangleMesh mesh = gridMesh(1);
     const FilterScene scene = sceneOf(FilterSurface::equilateral(buildAdjacency(mesh.triangles)),
                                       storeOf(FaceMap<Level>(mesh.faceCount(), Level(8)), square));
-    const Query query{faceId(0), {1.0F / 3, 1.0F / 3}, {0.065F, 0}, {0, 0.065F}};
+    const Query query{faceId(0), {1.0F / 3, 1.0F / 3}, {0.09F, 0}, {0, 0.09F}};
     const Answer exact = ask(*method("exact"), scene, query);
-    const Answer ewa = ask(*method("ewa:0.7"), scene, query);
+    const Answer ewa = ask(*method("ewa:1"), scene, query);
     EXPECT_EQ(ewa.level, 5.0F);
-    // Σ is 0.001; what a mip of level 5 adds to v² is 5e-5.
-    EXPECT_NEAR(ewa.value[0], exact.value[0], 2e-6);
+    // Σ is 0.002; what a mip of level 5 adds to v² is 5e-5.
+    EXPECT_NEAR(ewa.value[0], exact.value[0], 8e-6);
 }
 
 TEST(Ewa, readsNoMoreThanItsCap)
@@ -145,7 +145,7 @@ TEST(Ewa, readsNoMoreThanItsCap)
         sceneOf(surfaceOf(mesh), storeOf(randomLevels(mesh.faceCount(), 0, 3, 5), noise(5)));
     std::mt19937 random(5);
     for (const std::string_view name : {"ewa:0.5", "ewa:2", "ewa-blended:0.7", "ewa-blended:2"}) {
-        for (int k = 0; k < 100; ++k) {
+        for (int k = 0; k < 40; ++k) {
             const float size = std::exp2(-6.0F + static_cast<float>(random() % 17));
             const Query query{faceId(random() % mesh.faceCount()),
                               {0.3F, 0.3F},
@@ -163,7 +163,7 @@ TEST(EwaBlended, doesNotPop)
     std::mt19937 random(6);
     for (const std::string_view name : {"ewa-blended:0.7", "ewa-blended"}) {
         double worst = 0;
-        for (int place = 0; place < 4; ++place) {
+        for (int place = 0; place < 2; ++place) {
             const std::mt19937 here = random;
             std::vector<Query> queries;
             for (double width = 1.0 / 128; width < 1; width *= 1.0002) {
