@@ -124,7 +124,7 @@ MethodEntry baseEntry()
         "Least standard deviation of the Gaussian, in texels of the (finer) level read.";
     sigma.least = 0.5;
     sigma.most = 2;
-    sigma.standard = 0.5;
+    sigma.standard = 1;
     sigma.curve = {0.5, 0.7, 1, 1.4, 2};
     entry.parameter = sigma;
     return entry;
@@ -150,7 +150,6 @@ MethodEntry ewaBlendedMethod()
     entry.name = "ewa-blended";
     entry.title = "EWA on two mips";
     entry.about = "A Gaussian over the texels of two levels, blended so that nothing pops.";
-    entry.parameter->standard = 1;
     entry.parameter->curve = {0.7, 1, 1.4, 2};
     entry.claims.levelContinuous = Claim::Yes;
     entry.make = [](double sigma) -> std::unique_ptr<const FilterMethod> {
