@@ -78,6 +78,17 @@ Result<Level> level(std::string_view option, std::string_view text)
     });
 }
 
+Result<Threads> threads(std::string_view option, const std::optional<std::string>& text)
+{
+    constexpr std::int64_t kMaxThreads = 1024;
+    if (!text) {
+        return Threads::all();
+    }
+    return wholeNumber(option, *text, 1, kMaxThreads).map([](std::int64_t count) {
+        return Threads{static_cast<unsigned>(count)};
+    });
+}
+
 Result<TexelType> texelType(std::string_view option, std::string_view text)
 {
     if (const auto type = texelTypeFromName(text)) {

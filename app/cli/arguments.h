@@ -5,10 +5,12 @@
 #pragma once
 
 #include "core/base/level.h"
+#include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/texture/texel_format.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +29,9 @@ Result<std::vector<float>>
 channelValues(std::string_view option, std::string_view text, int channels);
 
 Result<Level> level(std::string_view option, std::string_view text);
+
+/// How many threads to use, all cores by default.
+Result<Threads> threads(std::string_view option, const std::optional<std::string>& text);
 
 /// uint8, uint16, half or float.
 Result<TexelType> texelType(std::string_view option, std::string_view text);

@@ -13,8 +13,6 @@
 namespace trixel::app {
 namespace {
 
-constexpr std::int64_t kMaxThreads = 1024;
-
 struct Arguments
 {
     std::string project;
@@ -22,16 +20,6 @@ struct Arguments
     std::string output;
     std::optional<std::string> threads;
 };
-
-Result<Threads> threadsOf(const Arguments& arguments)
-{
-    if (!arguments.threads) {
-        return Threads::all();
-    }
-    return wholeNumber("--threads", *arguments.threads, 1, kMaxThreads).map([](std::int64_t count) {
-        return Threads{static_cast<unsigned>(count)};
-    });
-}
 
 Result<std::vector<RecordedStroke>> readStrokes(const std::filesystem::path& path,
                                                 std::size_t faceCount)
@@ -52,9 +40,9 @@ Result<Outcome> paint(const Arguments& arguments, Progress& progress)
     if (const Status ending = expectEnding(arguments.output, FileKind::Project); !ending) {
         return tl::unexpected(ending.error());
     }
-    const auto threads = threadsOf(arguments);
-    if (!threads) {
-        return tl::unexpected(threads.error());
+    const auto count = threads("--threads", arguments.threads);
+    if (!count) {
+        return tl::unexpected(count.error());
     }
     StageProgress opening(progress, 0, 0.2);
     auto project = openPainted(arguments.project, opening);
@@ -67,7 +55,7 @@ Result<Outcome> paint(const Arguments& arguments, Progress& progress)
     }
     StageProgress painting(progress, 0.2, 0.8);
     const Status painted = replayStrokes(
-        *strokes, project->surface, fillOf(*project), project->texels, *threads, painting);
+        *strokes, project->surface, fillOf(*project), project->texels, *count, painting);
     if (!painted) {
         return tl::unexpected(painted.error());
     }

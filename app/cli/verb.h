@@ -28,6 +28,7 @@ void addPaint(CLI::App& parser, Work& chosen);
 void addExport(CLI::App& parser, Work& chosen);
 void addConvert(CLI::App& parser, Work& chosen);
 void addDiff(CLI::App& parser, Work& chosen);
+void addSample(CLI::App& parser, Work& chosen);
 void addStudy(CLI::App& parser, Work& chosen);
 
 } // namespace trixel::app

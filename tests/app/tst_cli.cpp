@@ -25,7 +25,8 @@ TEST_F(Cli, helpAndVersionGoToStandardOutput)
         EXPECT_THAT(run, EndsWith(0));
         EXPECT_THAT(run.out, HasSubstr("rixel"));
     }
-    for (const char* verb : {"new", "info", "check", "paint", "export", "convert", "diff"}) {
+    for (const char* verb :
+         {"new", "info", "check", "paint", "export", "convert", "diff", "sample"}) {
         EXPECT_THAT(runTrixel({"--help"}).out, HasSubstr(verb));
         const ProgramRun run = runTrixel({verb, "--help"});
         EXPECT_THAT(run, EndsWith(0)) << verb;
