@@ -2,6 +2,7 @@
 #include "core/filter/exact_answer.h"
 
 #include "core/filter/lattice_rows.h"
+#include "core/footprint/gaussian_weights.h"
 
 #include <cmath>
 
@@ -27,25 +28,21 @@ void addRun(const LevelTexels& texels,
             double area,
             Sums& sums)
 {
-    // From one texel to the next a Gaussian changes by a factor that itself changes by a constant
-    // factor. Started anew so often, the error stays below 1e-12.
-    constexpr std::uint32_t kRestart = 64;
-    const double squared = glm::dot(along, along);
-    const double change = std::exp(-squared);
+    constexpr std::uint32_t kPiece = 64;
+    std::array<double, kPiece> weights{};
     Sums row;
-    for (std::uint32_t begin = 0; begin < run.count; begin += kRestart) {
-        const glm::dvec2 p = run.centroid + static_cast<double>(begin) * along;
-        double weight = std::exp((offset - glm::dot(p, p)) / 2);
-        double ratio = std::exp(-(glm::dot(p, along) + squared / 2));
-        const std::uint32_t end = std::min(begin + kRestart, run.count);
-        for (std::uint32_t k = begin; k < end; ++k) {
-            const float* texel = texels.texel(static_cast<TexelIndex>(run.first + k));
-            row.weight += weight;
+    for (std::uint32_t begin = 0; begin < run.count; begin += kPiece) {
+        const std::uint32_t count = std::min(kPiece, run.count - begin);
+        gaussianWeights(run.centroid + static_cast<double>(begin) * along,
+                        along,
+                        offset,
+                        std::span(weights).first(count));
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const float* texel = texels.texel(static_cast<TexelIndex>(run.first + begin + k));
+            row.weight += weights[k];
             for (std::size_t c = 0; c < kGroupChannels; ++c) {
-                row.values[c] += weight * static_cast<double>(texel[c]);
+                row.values[c] += weights[k] * static_cast<double>(texel[c]);
             }
-            weight *= ratio;
-            ratio *= change;
         }
     }
     sums.weight += area * row.weight;

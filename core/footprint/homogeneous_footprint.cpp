@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/footprint/face_plane.h"
 #include "core/footprint/limit.h"
 #include "core/footprint/projected_face.h"
 #include "core/footprint/svd2.h"
@@ -10,11 +11,6 @@
 namespace trixel {
 
 namespace {
-
-double largestComponent(const glm::dvec3& v)
-{
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// w² times the derivative of (x/w, y/w).
 glm::dvec2 scaledDerivative(const glm::dvec3& p, const glm::dvec3& d)

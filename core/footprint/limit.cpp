@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/footprint/limit.h"
 
+#include "core/footprint/face_plane.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace trixel {
-
-namespace {
-
-bool isFinite(glm::dvec2 v)
-{
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
-} // namespace
 
 Footprint roundFootprint(double width)
 {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stability_naive.h"
+
+namespace trixel {
+
+CovarianceAxes axesOf(const Covariance& covariance)
+{
+    return naive::minorBySubtraction(covariance);
+}
+
+} // namespace trixel

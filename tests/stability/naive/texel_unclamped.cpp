@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stability_naive.h"
+
+namespace trixel {
+
+TexelCoord texelAt(Level level, glm::dvec2 uv)
+{
+    return naive::unclampedTexelAt(level, uv);
+}
+
+} // namespace trixel
