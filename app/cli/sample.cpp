@@ -6,13 +6,16 @@
 #include "core/base/read_file.h"
 #include "core/filter/filter_method.h"
 #include "core/io/query_csv.h"
+#include "core/study/auto_method.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace trixel::app {
 namespace {
@@ -29,6 +32,7 @@ struct Arguments
 };
 
 constexpr std::string_view kAuto = "auto";
+constexpr double kUsualTolerance = 0.01;
 
 /// Stands where a query would have taken more taps than its method allows itself.
 constexpr std::string_view kAverage = "average";
@@ -43,6 +47,9 @@ Outcome listMethods()
                       << parameter->standard << "): " << parameter->meaning << '\n';
         }
     }
+    std::cout << std::setw(22) << kAuto
+              << "For each footprint the fastest of these that keeps within --tolerance on its "
+                 "kind, as measured on this machine.\n";
     return Outcome::Done;
 }
 
@@ -62,18 +69,46 @@ Status expectAll(const Arguments& arguments)
     return {};
 }
 
-Result<MethodChoice> methodOf(const Arguments& arguments)
+/// A filter and what to call it, query by query.
+struct Chosen
+{
+    std::unique_ptr<const FilterMethod> method;
+    std::function<std::string(const FilterScene&, const FilterQueries&, std::size_t)> nameOf;
+};
+
+Result<Chosen> chooseAuto(double tolerance, Progress& progress)
+{
+    auto method = makeAuto(tolerance, progress);
+    if (!method) {
+        return prefixed("--method auto", method.error());
+    }
+    const AutoMethod* choices = method->get();
+    return Chosen{std::move(*method),
+                  [choices](const FilterScene& scene, const FilterQueries& queries, std::size_t i) {
+                      return toText(choices->choiceFor(scene, queries, i));
+                  }};
+}
+
+Result<Chosen> chooseMethod(const Arguments& arguments, Progress& progress)
 {
     if (arguments.method == kAuto) {
-        return contentsError("--method: this build measures no methods, so 'auto' cannot choose "
-                             "one; name one of those that '--method help' lists.");
+        const auto tolerance = arguments.tolerance
+                                   ? positiveNumber("--tolerance", *arguments.tolerance)
+                                   : Result<double>(kUsualTolerance);
+        return tolerance ? chooseAuto(*tolerance, progress) : tl::unexpected(tolerance.error());
     }
     if (arguments.tolerance) {
         return contentsError("--tolerance: only the method 'auto' takes one, found '" +
                              arguments.method + "'.");
     }
-    auto choice = parseMethod(arguments.method);
-    return choice ? choice : prefixed("--method", choice.error());
+    const auto choice = parseMethod(arguments.method);
+    if (!choice) {
+        return prefixed("--method", choice.error());
+    }
+    return Chosen{makeMethod(*choice),
+                  [name = toText(*choice)](const FilterScene&, const FilterQueries&, std::size_t) {
+                      return name;
+                  }};
 }
 
 /// Answers some thousands at a time, so that progress is shown and the work can be stopped.
@@ -101,17 +136,21 @@ Status answer(const FilterMethod& method,
 }
 
 Status writeAnswers(const Arguments& arguments,
+                    const FilterScene& scene,
+                    const Chosen& chosen,
                     const QueryCsv& csv,
-                    const std::string& method,
-                    const ResultArrays& results,
-                    int channels)
+                    const ResultArrays& results)
 {
+    const FilterQueries queries = csv.queries.queries();
+    std::set<std::string> names; // keeps what the views see
     std::vector<std::string_view> methods;
-    for (const std::uint32_t taps : results.taps) {
-        methods.push_back(taps == kRefusedTaps ? kAverage : std::string_view(method));
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        methods.push_back(results.taps[i] == kRefusedTaps
+                              ? kAverage
+                              : *names.insert(chosen.nameOf(scene, queries, i)).first);
     }
-    const auto text =
-        withSamples(csv, {results.values, csv.queries.size(), channels, results.levels, methods});
+    const auto text = withSamples(
+        csv, {results.values, queries.size(), scene.channels(), results.levels, methods});
     if (!text) {
         return prefixed(arguments.queries, text.error());
     }
@@ -126,10 +165,14 @@ Result<Outcome> sample(const Arguments& arguments, Progress& progress)
     if (const Status complete = expectAll(arguments); !complete) {
         return tl::unexpected(complete.error());
     }
-    const auto choice = methodOf(arguments);
     const auto count = threads("--threads", arguments.threads);
-    if (!choice || !count) {
-        return tl::unexpected(choice ? count.error() : choice.error());
+    if (!count) {
+        return tl::unexpected(count.error());
+    }
+    StageProgress choosing(progress, 0, 0.2);
+    const auto chosen = chooseMethod(arguments, choosing);
+    if (!chosen) {
+        return tl::unexpected(chosen.error());
     }
     if (fileKindOf(arguments.file) == FileKind::Mesh) {
         return contentsError(arguments.file +
@@ -139,7 +182,7 @@ Result<Outcome> sample(const Arguments& arguments, Progress& progress)
     if (!text) {
         return tl::unexpected(text.error());
     }
-    StageProgress opening(progress, 0, 0.3);
+    StageProgress opening(progress, 0.2, 0.4);
     const auto scene = openFilterScene(arguments.file, arguments.mesh, opening);
     if (!scene) {
         return tl::unexpected(scene.error());
@@ -149,13 +192,13 @@ Result<Outcome> sample(const Arguments& arguments, Progress& progress)
         return prefixed(arguments.queries, csv.error());
     }
     ResultArrays results(csv->queries.size(), (*scene)->channels());
-    StageProgress answering(progress, 0.3, 1);
+    StageProgress answering(progress, 0.4, 1);
     const Status answered =
-        answer(*makeMethod(*choice), **scene, csv->queries.queries(), *count, results, answering);
+        answer(*chosen->method, **scene, csv->queries.queries(), *count, results, answering);
     if (!answered) {
         return tl::unexpected(answered.error());
     }
-    return writeAnswers(arguments, *csv, toText(*choice), results, (*scene)->channels()).map([] {
+    return writeAnswers(arguments, **scene, *chosen, *csv, results).map([] {
         return Outcome::Done;
     });
 }
@@ -179,7 +222,10 @@ void addSample(CLI::App& parser, Work& chosen)
                      "Filter, with its parameter after a colon; 'help' lists all")
         ->required()
         ->type_name("NAME");
-    verb->add_option("--tolerance", arguments->tolerance, "Largest error that 'auto' may make")
+    verb->add_option(
+            "--tolerance",
+            arguments->tolerance,
+            "RMS error that 'auto' may make, a fraction of the value range; 0.01 by default")
         ->type_name("E");
     verb->add_option("-o,--output", arguments->output, "Table to write (CSV)")->type_name("FILE");
     verb->add_option("--threads",

@@ -113,8 +113,9 @@ TEST_F(Sample, everyMethodThatHelpListsAnswers)
     std::istringstream lines(help.out);
     int methods = 0;
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with(' ')) {
-            continue; // about a parameter
+        // Lines about a parameter; and "auto", which would measure all others first.
+        if (line.starts_with(' ') || line.starts_with("auto ")) {
+            continue;
         }
         const std::string name = line.substr(0, line.find(' '));
         EXPECT_THAT(line, testing::EndsWith(".")) << "one sentence";
@@ -129,6 +130,7 @@ TEST_F(Sample, everyMethodThatHelpListsAnswers)
         ++methods;
     }
     EXPECT_GE(methods, 12);
+    EXPECT_THAT(help.out, HasSubstr("\nauto "));
     EXPECT_THAT(help.out, HasSubstr("equal-probes:N sets probes, 1 to 256 (else 16)"));
 }
 
@@ -181,6 +183,10 @@ TEST_F(Sample, whatIsWrongGetsASentenceAndNoFile)
     EXPECT_THAT(sample(from, "stochastic:5000"), FailsWith(kUnusable, "from 1 to 4096"));
     EXPECT_THAT(sample(from, "trilinear:2"), FailsWith(kUnusable, "takes no parameter"));
     EXPECT_THAT(sample(from, "point", {"--tolerance", "0.1"}), FailsWith(kUnusable, "--tolerance"));
+    for (const char* tolerance : {"0", "-1", "nan", "1%"}) {
+        EXPECT_THAT(sample(from, "auto", {std::string("--tolerance=") + tolerance}),
+                    FailsWith(kUnusable, "--tolerance"));
+    }
     EXPECT_THAT(sample(from, "point", {"--threads", "0"}), FailsWith(kUnusable, "--threads"));
     EXPECT_THAT(sample(mesh(), "point"), FailsWith(kUnusable, "no texels"));
     EXPECT_THAT(sample(path("missing.ptx"), "point"), FailsWith(kPath, "missing.ptx"));
