@@ -41,13 +41,14 @@ private:
                      GroupValue& value) const
     {
         const double cut = m_window.cut() / std::sqrt(m_window.variance());
+        const GroupValue reference = referenceOf(scene, face, group);
         EwaPlan plan = planEwa(m_settings, m_window, ellipse);
         for (;;) {
             const EllipseFrame frame = plan.frame();
             const auto places =
                 unfolding.unfold(scene.surface(), face, ellipse, frame, cut, m_settings.mostTaps);
-            EwaSum fine;
-            EwaSum coarse;
+            EwaSum fine(reference);
+            EwaSum coarse(reference);
             if (!add(scene, places, frame, plan.fine, group, fine) ||
                 (isBlended(scene, places, plan) &&
                  !add(scene, places, frame, plan.coarse, group, coarse)) ||
@@ -81,6 +82,17 @@ private:
                std::ranges::any_of(places, [&](const PlacedFace& place) {
                    return scene.level(place.face).log2() > plan.coarse;
                });
+    }
+
+    /// A value near the answer.
+    static GroupValue referenceOf(const FilterScene& scene, FaceId face, int group)
+    {
+        GroupValue reference{};
+        const float* average = scene.mips().average(face, group);
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            reference[c] = std::isfinite(average[c]) ? average[c] : 0.0F;
+        }
+        return reference;
     }
 
     /// False where it takes too many texels.

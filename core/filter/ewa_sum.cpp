@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/ewa_sum.h"
 
-#include "core/filter/lattice_rows.h"
+#include "core/filter/ewa_kernel.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace trixel {
 namespace {
-
-constexpr std::uint32_t kChunk = 64;
-
-/// Sums of one face in float.
-struct FaceSum
-{
-    GroupValue values{};
-    float weight = 0;
-};
 
 /// Takes points of the ellipse's unit frame into one where the Gaussian left to do is the unit
 /// one: G⁻¹ with G Gᵀ its covariance.
@@ -62,35 +53,6 @@ narrowingOf(glm::dvec2 e1, glm::dvec2 e2, const GaussianWindow& window, Level ba
     return {widened - part * xx, -part * xy, widened - part * yy};
 }
 
-void addRun(const LevelTexels& texels,
-            const TexelRun& run,
-            float step,
-            const GaussianWindow& window,
-            const GroupValue& reference,
-            FaceSum& sum)
-{
-    alignas(16) std::array<float, kChunk> weights;
-    const auto height2 = static_cast<float>(run.height * run.height);
-    for (std::uint32_t begin = 0; begin < run.count; begin += kChunk) {
-        const std::uint32_t count = std::min(kChunk, run.count - begin);
-        const auto foot = static_cast<float>(run.foot - begin);
-        window.weigh(height2, foot, step, (count + 3) & ~3U, weights.data());
-        const float* texel = texels.texel(static_cast<TexelIndex>(run.first + begin));
-        FaceSum part;
-        for (std::uint32_t k = 0; k < count; ++k) {
-            part.weight += weights[k];
-            for (std::size_t c = 0; c < kGroupChannels; ++c) {
-                part.values[c] += weights[k] * (texel[c] - reference[c]);
-            }
-            texel += texels.stride;
-        }
-        sum.weight += part.weight;
-        for (std::size_t c = 0; c < kGroupChannels; ++c) {
-            sum.values[c] += part.values[c];
-        }
-    }
-}
-
 } // namespace
 
 void EwaSum::add(const FilterScene& scene,
@@ -109,25 +71,15 @@ void EwaSum::add(const FilterScene& scene,
     const glm::dvec2 origin = narrow(frame.toUnit(place.origin));
     const glm::dvec2 e1 = narrow(side1);
     const glm::dvec2 e2 = narrow(side2);
-    FaceSum sum;
-    for (const TexelHalf half : {TexelHalf::Lower, TexelHalf::Upper}) {
-        const HalfLattice lattice(half, read, origin, e1, e2);
-        const auto step = static_cast<float>(glm::length(lattice.alongRow));
-        forRunsInCircle(lattice, window.cut(), [&](const TexelRun& run) {
-            if (m_taps == 0) {
-                const float* first = texels.texel(static_cast<TexelIndex>(run.first));
-                for (std::size_t c = 0; c < kGroupChannels; ++c) {
-                    m_reference[c] = std::isfinite(first[c]) ? first[c] : 0.0F;
-                }
-            }
-            addRun(texels, run, step, window, m_reference, sum);
-            m_taps += run.count;
-        });
-    }
+    WindowSums sums;
+    const std::array<HalfLattice, 2> halves = {HalfLattice(TexelHalf::Lower, read, origin, e1, e2),
+                                               HalfLattice(TexelHalf::Upper, read, origin, e1, e2)};
+    addUnderWindow(texels, halves, window, m_reference, sums);
+    m_taps += sums.taps;
     const double area = (e1.x * e2.y - e1.y * e2.x) / read.texelCount();
-    m_weight += area * static_cast<double>(sum.weight);
+    m_weight += area * static_cast<double>(sums.weight);
     for (std::size_t c = 0; c < kGroupChannels; ++c) {
-        m_values[c] += area * static_cast<double>(sum.values[c]);
+        m_values[c] += area * static_cast<double>(sums.values[c]);
     }
 }
 

@@ -16,6 +16,13 @@ namespace trixel {
 class EwaSum
 {
 public:
+    /// \param reference  a value near the answer, which the sums count from: where every texel has
+    ///                   it, so has the mean, to the bit
+    explicit EwaSum(const GroupValue& reference)
+        : m_reference(reference)
+    {
+    }
+
     /// Adds the face's texels of a level, or of its base where that is coarser. The covariance of
     /// the ellipse is lessened by that of a texel's box beyond a base texel's, so that box and
     /// Gaussian together spread as far as the Gaussian alone over the base level; by half at most.
@@ -37,8 +44,7 @@ public:
     }
 
 private:
-    // Values count from the first texel's: where all are alike, so is the mean, to the bit.
-    GroupValue m_reference{};
+    GroupValue m_reference;
     std::array<double, kGroupChannels> m_values{};
     double m_weight = 0;
     std::uint64_t m_taps = 0;

@@ -1,57 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/exact_answer.h"
 
-#include "core/filter/lattice_rows.h"
-#include "core/footprint/gaussian_weights.h"
-
-#include <cmath>
+#include "core/filter/exact_kernel.h"
 
 namespace trixel {
 namespace {
 
 /// Beyond six standard deviations lie 1.5e-8 of a Gaussian.
 constexpr double kCut = 6.0;
-/// Sums in double of weight and of weight times value.
-struct Sums
-{
-    double weight = 0;
-    std::array<double, kGroupChannels> values{};
-    std::uint64_t taps = 0;
-};
-
-/// Adds a run of texels with weights exp(-(q - offset)/2) area, q the squared distance from the
-/// centre in standard deviations.
-void addRun(const LevelTexels& texels,
-            const TexelRun& run,
-            glm::dvec2 along,
-            double offset,
-            double area,
-            Sums& sums)
-{
-    constexpr std::uint32_t kPiece = 64;
-    std::array<double, kPiece> weights{};
-    Sums row;
-    for (std::uint32_t begin = 0; begin < run.count; begin += kPiece) {
-        const std::uint32_t count = std::min(kPiece, run.count - begin);
-        gaussianWeights(run.centroid + static_cast<double>(begin) * along,
-                        along,
-                        offset,
-                        std::span(weights).first(count));
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const float* texel = texels.texel(static_cast<TexelIndex>(run.first + begin + k));
-            row.weight += weights[k];
-            for (std::size_t c = 0; c < kGroupChannels; ++c) {
-                row.values[c] += weights[k] * static_cast<double>(texel[c]);
-            }
-        }
-    }
-    sums.weight += area * row.weight;
-    for (std::size_t c = 0; c < kGroupChannels; ++c) {
-        sums.values[c] += area * row.values[c];
-    }
-    sums.taps += run.count;
-}
-
 /// Adds the texels of a face within `cut` standard deviations.
 void addFace(const FilterScene& scene,
              const PlacedFace& place,
@@ -59,7 +15,7 @@ void addFace(const FilterScene& scene,
              int group,
              double cut,
              double offset,
-             Sums& sums)
+             ExactSums& sums)
 {
     const Level level = scene.level(place.face);
     const LevelTexels texels = scene.mips().texels(place.face, level, group);
@@ -70,9 +26,7 @@ void addFace(const FilterScene& scene,
                                   frame.toUnit(place.origin),
                                   frame.toUnit(place.e1),
                                   frame.toUnit(place.e2));
-        forRunsInCircle(lattice, cut, [&](const TexelRun& run) {
-            addRun(texels, run, lattice.alongRow, offset, area, sums);
-        });
+        addExactly(texels, lattice, cut, offset, area, sums);
     }
 }
 
@@ -85,7 +39,7 @@ bool addFaces(const FilterScene& scene,
               int group,
               double cut,
               double offset,
-              Sums& sums)
+              ExactSums& sums)
 {
     const auto places = unfolding.unfold(scene.surface(), face, ellipse, frame, cut);
     if (texelsOfWholeFaces(scene, places, frame, cut) > kMostExactTaps) {
@@ -133,7 +87,7 @@ QueryCost exactAnswer(const FilterScene& scene,
     double offset = 0;
     constexpr double kWidestCut = kCut * 65536;
     for (double cut = kCut; cut <= kWidestCut; cut *= 2) {
-        Sums sums;
+        ExactSums sums;
         if (!addFaces(scene, unfolding, ellipse, frame, face, group, cut, offset, sums)) {
             return {level, kRefusedTaps};
         }

@@ -3,8 +3,8 @@
 // A Gaussian that ends: what EWA weighs texels with.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace trixel {
 
@@ -21,6 +21,7 @@ public:
     }
 
     double cut() const { return m_cut; }
+    double pedestal() const { return m_pedestal; } ///< p
 
     /// Its variance along each axis, below 1 for what was cut off: a Gaussian of covariance Σ is
     /// matched by a window of covariance Σ / variance().
@@ -32,21 +33,12 @@ public:
         return second / (2 * mass);
     }
 
-    /// Weights of texels on a line: number k has q = height² + ((k - middle) step)².
-    /// \param count    how many, rounded up to four
-    /// \param weights  room for them; those beyond the cut are 0
-    void weigh(float height2, float middle, float step, std::uint32_t count, float* weights) const
+    /// At squared distance q.
+    float weight(float q) const
     {
-        const auto inverse = static_cast<float>(1 / (m_cut * m_cut));
-        const auto pedestal = static_cast<float>(m_pedestal);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const float s = (static_cast<float>(static_cast<std::int32_t>(k)) - middle) * step;
-            const float q = height2 + s * s;
-            const float r = q * inverse;
-            const float r2 = r * r;
-            const float weight = negativeExponential(0.5F * q) - pedestal * (r2 * r2);
-            weights[k] = weight > 0 ? weight : 0;
-        }
+        const float r = q * static_cast<float>(1 / (m_cut * m_cut));
+        const float rim = static_cast<float>(m_pedestal) * ((r * r) * (r * r));
+        return std::max(negativeExponential(0.5F * q) - rim, 0.0F);
     }
 
     /// exp(-x), x >= 0, with an error below 2e-6, without a branch: the eighth power of the Taylor

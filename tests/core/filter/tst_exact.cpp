@@ -164,6 +164,22 @@ TEST(Exact, keepsNaNsBeyondTheFootprintOut)
     EXPECT_TRUE(std::isnan(ask(*exact(), scene, {faceId(0), {0.5F, 0.3F}, {}, {}}).value[0]));
 }
 
+TEST(Exact, refusesBeyondItsCapAndGivesTheAverage)
+{
+    const TriangleMesh mesh = gridMesh(24);
+    const std::array<float, 3> grey = {0.25F, 0.5F, 0.75F};
+    const TexelStore store({TexelType::Float, 3, std::nullopt},
+                           FaceMap<Level>(mesh.faceCount(), Level(8)),
+                           std::as_bytes(std::span(grey)));
+    const FilterScene scene = sceneOf(surfaceOf(mesh), store);
+    const Answer answer = ask(*exact(), scene, {faceId(1), {0.2F, 0.2F}, {30, 0}, {0, 30}});
+    EXPECT_EQ(answer.taps, kRefusedTaps);
+    EXPECT_EQ(answer.value[2], 0.75);
+    const Answer small = ask(*exact(), scene, {faceId(1), {0.2F, 0.2F}, {0.01F, 0}, {0, 0.01F}});
+    EXPECT_LT(small.taps, 100000U);
+    EXPECT_NEAR(small.value[2], 0.75, 1e-7);
+}
+
 TEST(Exact, canBeAskedByAnyNumberOfThreads)
 {
     const FilterScene scene = goldenScene();

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/filter/gaussian_window.h"
+#include "core/filter/half_lattice.h"
+#include "core/filter/query_filter.h"
+
+#include <array>
+#include <cstdint>
+
+namespace trixel {
+
+/// Sums over texels under a window, in float.
+struct WindowSums
+{
+    GroupValue values{}; ///< weight times what a texel has beyond the reference
+    float weight = 0;
+    std::uint32_t taps = 0;
+};
+
+/// Adds the texels of both halves of a face within the window's cut of the origin, in units of its
+/// standard deviation. Runs on the widest vectors that the processor has.
+void addUnderWindow(const LevelTexels& texels,
+                    const std::array<HalfLattice, 2>& halves,
+                    const GaussianWindow& window,
+                    const GroupValue& reference,
+                    WindowSums& sums);
+
+} // namespace trixel

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filter/exact_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/filter/exact_kernel.cpp"
+#include <hwy/foreach_target.h> // includes this file once for each target
+// After it:
+#include "core/filter/lattice_rows-inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace trixel {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using WeightTag = hn::CappedTag<double, 8>;
+constexpr std::uint32_t kChunk = 64; ///< weights at a time
+
+/// Sums of four channels.
+#if HWY_TARGET == HWY_SCALAR
+class ChannelSums
+{
+public:
+    HWY_INLINE void add(double weight, const float* texel)
+    {
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            m_sums[c] += weight * static_cast<double>(texel[c]);
+        }
+    }
+    HWY_INLINE void addTo(std::array<double, kGroupChannels>& values, double factor) const
+    {
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            values[c] += factor * m_sums[c];
+        }
+    }
+
+private:
+    std::array<double, kGroupChannels> m_sums{};
+};
+#else
+class ChannelSums
+{
+public:
+    HWY_INLINE ChannelSums() // written out: an implied one is not compiled for the target
+        : m_first(hn::Zero(Tag()))
+        , m_second(hn::Zero(Tag()))
+    {
+    }
+    HWY_INLINE void add(double weight, const float* texel)
+    {
+        const auto both = hn::Set(Tag(), weight);
+        m_first = hn::MulAdd(both, values(texel), m_first);
+        m_second = hn::MulAdd(both, values(texel + 2), m_second);
+    }
+    HWY_INLINE void addTo(std::array<double, kGroupChannels>& sums, double factor) const
+    {
+        addHalf(sums.data(), factor, m_first);
+        addHalf(sums.data() + 2, factor, m_second);
+    }
+
+private:
+    using Tag = hn::FixedTag<double, 2>;
+    using FloatTag = hn::FixedTag<float, 2>;
+
+    static HWY_INLINE hn::Vec<Tag> values(const float* two)
+    {
+        return hn::PromoteTo(Tag(), hn::LoadU(FloatTag(), two));
+    }
+    static HWY_INLINE void addHalf(double* sums, double factor, hn::Vec<Tag> half)
+    {
+        const auto before = hn::LoadU(Tag(), sums);
+        hn::StoreU(hn::MulAdd(hn::Set(Tag(), factor), half, before), Tag(), sums);
+    }
+
+    hn::Vec<Tag> m_first;
+    hn::Vec<Tag> m_second;
+};
+#endif
+
+void addExactly(const LevelTexels& texels,
+                const HalfLattice& lattice,
+                double cut,
+                double offset,
+                double area,
+                ExactSums& sums)
+{
+    constexpr WeightTag d;
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+    const double step2 = glm::dot(lattice.alongRow, lattice.alongRow);
+    // From one vector to the next a Gaussian changes by a factor that itself changes by a constant
+    // factor. Started anew for every chunk, the error stays below 1e-13.
+    const double jump = lanes;
+    const auto change = hn::Set(d, std::exp(-jump * jump * step2));
+    const std::size_t stride = texels.stride;
+    HWY_ALIGN double weights[kChunk];
+    ChannelSums channels;
+    auto weight = hn::Zero(d);
+    forRunsInCircle(lattice, cut, [&](const TexelRun& run) HWY_ATTR {
+        const auto height2 = hn::Set(d, run.height * run.height - offset);
+        for (std::uint32_t begin = 0; begin < run.count; begin += kChunk) {
+            const std::uint32_t count = std::min(kChunk, run.count - begin);
+            const auto at = hn::Sub(hn::Iota(d, 0), hn::Set(d, run.foot - begin));
+            const auto q = hn::MulAdd(hn::Mul(at, at), hn::Set(d, step2), height2);
+            auto w = hn::Exp(d, hn::Mul(q, hn::Set(d, -0.5)));
+            // q of the next vector is jump (2 at + jump) step² larger.
+            const auto growth = hn::MulAdd(at, hn::Set(d, jump), hn::Set(d, jump * jump / 2));
+            auto ratio = hn::Exp(d, hn::Mul(growth, hn::Set(d, -step2)));
+            for (std::uint32_t k = 0; k < count; k += lanes) {
+                const auto inRun = hn::FirstN(d, count - k);
+                weight = hn::Add(weight, hn::IfThenElseZero(inRun, w));
+                hn::Store(w, d, weights + k);
+                w = hn::Mul(w, ratio);
+                ratio = hn::Mul(ratio, change);
+            }
+            const float* texel = texels.values + stride * (run.first + begin);
+            for (std::uint32_t k = 0; k < count; ++k, texel += stride) {
+                channels.add(weights[k], texel);
+            }
+        }
+        sums.taps += run.count;
+    });
+    channels.addTo(sums.values, area);
+    sums.weight += area * hn::GetLane(hn::SumOfLanes(d, weight));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace trixel
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace trixel {
+
+HWY_EXPORT(addExactly);
+
+void addExactly(const LevelTexels& texels,
+                const HalfLattice& lattice,
+                double cut,
+                double offset,
+                double area,
+                ExactSums& sums)
+{
+    HWY_DYNAMIC_DISPATCH(addExactly)(texels, lattice, cut, offset, area, sums);
+}
+
+} // namespace trixel
+#endif
