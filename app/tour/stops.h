@@ -28,12 +28,15 @@ public:
     Status mipLevels();
     Status newProject();
     Status exportedTexture();
+    Status measuredChart();
 
 private:
     /// A place in the view by its share of width and height, [0,1] each.
     QPoint inView(double x, double y) const;
     Status picture(const std::string& name);
     Status pictureOf(QWidget& widget, const std::string& name);
+    /// Presses the button that a screen reader calls by that name.
+    Status press(QWidget& panel, const QString& name);
 
     ui::MainWindow& m_window;
     QWidget& m_view;

@@ -52,7 +52,8 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::texelsOfBothHalves,
                             &Stops::mipLevels,
                             &Stops::newProject,
-                            &Stops::exportedTexture}) {
+                            &Stops::exportedTexture,
+                            &Stops::measuredChart}) {
         if (Status done = (stops.*stop)(); !done) {
             return done;
         }

@@ -40,25 +40,25 @@ bool isShown(double value)
 
 } // namespace
 
-LogAxis::LogAxis(std::span<const double> values, Quantity quantity)
+LogAxis::LogAxis(std::span<const double> values, Quantity quantity, double decades)
     : m_quantity(quantity)
 {
-    double least = HUGE_VAL;
     double most = 0;
     for (const double value : values) {
-        if (isShown(value) && value > 0) {
+        most = isShown(value) ? std::max(most, value) : most;
+    }
+    const double threshold = most * std::pow(10, -decades);
+    double least = most;
+    for (const double value : values) {
+        if (isShown(value) && value > 0 && value >= threshold) {
             least = std::min(least, value);
-            most = std::max(most, value);
+        } else if (isShown(value)) {
+            m_hasFloor = true;
+            m_mostBelow = std::max(m_mostBelow, value);
         }
-        m_floorIsZero = m_floorIsZero || value == 0;
     }
-    if (most == 0) {
-        least = 1;
-        most = 1;
-    }
-    m_hasFloor = m_floorIsZero || std::log10(most / least) > kMostDecades;
-    m_least = std::max(least, most * std::pow(10, -kMostDecades));
-    m_most = most;
+    m_least = most > 0 ? least : 1;
+    m_most = most > 0 ? most : 1;
     const double low = std::log10(m_least);
     const double high = std::log10(m_most);
     const double missing = std::max(0.0, kLeastSpan - (high - low)) / 2;
@@ -98,7 +98,12 @@ int LogAxis::textsWith(std::span<const int> digits, int everyDecades) const
 
 QString LogAxis::floorText() const
 {
-    return m_floorIsZero ? QString("0") : "<" + quantityText(m_least, m_quantity, 1);
+    if (m_mostBelow == 0) {
+        return "0";
+    }
+    // Rounded up to one digit, so that what is said holds for all of them.
+    const double unit = std::pow(10, std::floor(std::log10(m_mostBelow)));
+    return QChar(0x2264) + quantityText(std::ceil(m_mostBelow / unit) * unit, m_quantity, 1);
 }
 
 std::vector<Tick> LogAxis::ticks(int mostTexts) const

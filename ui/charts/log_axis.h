@@ -22,13 +22,12 @@ struct Tick
 class LogAxis
 {
 public:
-    /// Decades that an axis spans at most; smaller values go to the line at the lower end.
-    static constexpr double kMostDecades = 9;
-
     /// An axis from 1 to 10.
     LogAxis() = default;
-    /// \param values  those that are not finite, or negative, are passed over
-    LogAxis(std::span<const double> values, Quantity quantity);
+    /// \param values   those that are not finite, or negative, are passed over
+    /// \param decades  that the axis spans at most: what is smaller than the largest value by more
+    ///                 goes to the line at the lower end
+    LogAxis(std::span<const double> values, Quantity quantity, double decades = 9);
 
     /// Where a value lies, [0, 1] for values the axis was made of.
     double place(double value) const;
@@ -51,7 +50,7 @@ private:
     double m_low = 0;  ///< log10 of the value at `place` 0 (or the end of the floor)
     double m_high = 1; ///< log10 of the value at `place` 1
     bool m_hasFloor = false;
-    bool m_floorIsZero = false;
+    double m_mostBelow = 0; ///< the largest value on the line at the lower end
     Quantity m_quantity = Quantity::Number;
 };
 

@@ -37,6 +37,7 @@ struct PlotAxis
 {
     QString title;
     Quantity quantity = Quantity::Number;
+    double decades = 9; ///< that the axis spans at most
 };
 
 /// A level that values are compared with: a tolerance, a bound.

@@ -51,8 +51,8 @@ void makeAxes(const Plot& plot, PlotLayout& layout)
     if (plot.level) {
         ys.push_back(plot.level->y);
     }
-    layout.xAxis = LogAxis(xs, plot.x.quantity);
-    layout.yAxis = LogAxis(ys, plot.y.quantity);
+    layout.xAxis = LogAxis(xs, plot.x.quantity, plot.x.decades);
+    layout.yAxis = LogAxis(ys, plot.y.quantity, plot.y.decades);
 }
 
 /// Numbers as they find room in the frame; the frame's left side as the numbers need it.

@@ -11,6 +11,10 @@ namespace trixel::ui {
 
 namespace {
 
+/// Errors further below the largest are those of rounding: they count as none.
+constexpr double kErrorDecades = 5;
+constexpr double kCostDecades = 12;
+
 QString dot()
 {
     return QString::fromUtf8(" · ");
@@ -144,8 +148,8 @@ Plot plotOf(const Study& study, const StudyView& view)
     plot.title = text(study.title);
     plot.subtitle = text(study.subject) + dot() + nameOf(view.footprintClass);
     plot.note = text(study.conditions);
-    plot.x = {costTitle(study), quantityOf(study.costUnit)};
-    plot.y = {nameOf(view.measure), Quantity::Fraction};
+    plot.x = {costTitle(study), quantityOf(study.costUnit), kCostDecades};
+    plot.y = {nameOf(view.measure), Quantity::Fraction, kErrorDecades};
     plot.frontName = "Pareto front";
     if (view.tolerance) {
         plot.level = {*view.tolerance,
@@ -195,6 +199,27 @@ std::optional<PlotMark> markOf(const Study& study, const Plot& plot, const Metho
         }
     }
     return std::nullopt;
+}
+
+std::optional<std::size_t> cheapestWithin(const Study& study, const StudyView& view)
+{
+    std::optional<std::size_t> best;
+    for (const PlotSeries& series : plotOf(study, view).series) {
+        for (const PlotPoint& point : series.points) {
+            if (!series.isPeer && view.tolerance && point.y <= *view.tolerance &&
+                (!best || point.x < study.points[*best].cost)) {
+                best = point.source;
+            }
+        }
+    }
+    return best;
+}
+
+QString inBrief(const Study& study, std::size_t point)
+{
+    const StudyPoint& p = study.points[point];
+    const QString who = text(p.series) + (p.variant.empty() ? "" : ", " + text(p.variant));
+    return who + dot() + costText(study, p.cost);
 }
 
 QStringList describe(const Study& study, std::size_t point)

@@ -40,6 +40,13 @@ QString nameOf(const std::optional<FootprintClass>& footprintClass);
 /// The point of a method with its parameter; without one, that of the method's standard.
 std::optional<PlotMark> markOf(const Study& study, const Plot& plot, const MethodChoice& method);
 
+/// The cheapest point that the view shows and whose error keeps the view's tolerance; peers do not
+/// count. Nothing where nobody does, or without a tolerance.
+std::optional<std::size_t> cheapestWithin(const Study& study, const StudyView& view);
+
+/// A point in one line: who it is and what it costs.
+QString inBrief(const Study& study, std::size_t point);
+
 /// All that is known of a point, a few short lines: who it is, cost and errors, how measured.
 QStringList describe(const Study& study, std::size_t point);
 

@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/brush_panel.h"
+#include "ui/docks/chart_panel.h"
 #include "ui/docks/readout_panel.h"
 #include "ui/docks/report_panel.h"
 #include "ui/viewport/viewport.h"
@@ -62,6 +63,9 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+    setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+    // The panels at the side keep their height when one opens below the view.
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resize(kFirstSize);
     makeCenter();
     makePanels();
@@ -149,6 +153,29 @@ void MainWindow::makePanels()
     m_panelActions->add(*readout, {Qt::Key_F3});
     m_panelActions->add(*report, {Qt::Key_F4});
     m_panelActions->add(*steps, {Qt::Key_F5});
+    makeStudyPanels();
+}
+
+/// Below the view, wide as charts are, and out of the way until wanted.
+QDockWidget* MainWindow::addWidePanel(const QString& name, const QString& title, QWidget* content)
+{
+    QDockWidget* dock = addPanel(name, title, content);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    dock->hide();
+    return dock;
+}
+
+void MainWindow::makeStudyPanels()
+{
+    m_chart = new ChartPanel(m_document, m_settings, m_jobs, studyOffers());
+    QDockWidget* chart = addWidePanel("chartPanel", tr("Speed and accuracy"), m_chart);
+    m_panelActions->add(*chart, {Qt::Key_F8});
+    connect(m_chart, &ChartPanel::failed, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Error, sentence);
+    });
+    connect(m_chart, &ChartPanel::written, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Note, sentence);
+    });
 }
 
 void MainWindow::makeMenus()

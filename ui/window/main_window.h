@@ -16,6 +16,7 @@ namespace trixel::ui {
 
 class BrushActions;
 class BrushPanel;
+class ChartPanel;
 class EditActions;
 class FileActions;
 class MessageBar;
@@ -57,7 +58,9 @@ private:
     void makeToolBars();
     void makeStatusBar();
     void connectView();
+    void makeStudyPanels();
     QDockWidget* addPanel(const QString& name, const QString& title, QWidget* content);
+    QDockWidget* addWidePanel(const QString& name, const QString& title, QWidget* content);
     void takeDocument();
     void showTitle();
     void showCommands();
@@ -78,6 +81,7 @@ private:
     BrushPanel* m_brushPanel = nullptr;
     ReadoutPanel* m_readout = nullptr;
     ReportPanel* m_report = nullptr;
+    ChartPanel* m_chart = nullptr;
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
     EditActions* m_editActions = nullptr;

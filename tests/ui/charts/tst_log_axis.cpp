@@ -84,8 +84,13 @@ TEST(LogAxisTest, zeroAndTheVanishinglySmallShareALineAtTheEnd)
 
     const LogAxis wide(std::vector{1e-30, 1e-3, 1.0}, Quantity::Fraction);
     EXPECT_TRUE(wide.isBelow(1e-30));
-    EXPECT_EQ(textsOf(wide, 10).front().front(), '<');
-    EXPECT_GT(wide.place(1e-3), 0.5);
+    EXPECT_EQ(textsOf(wide, 10).front(), "≤10⁻²⁸ %");
+    EXPECT_LT(wide.place(1e-3), 0.2); // the least that is left
+
+    const LogAxis rounding(std::vector{0.0, 1.06e-8, 0.008, 0.26}, Quantity::Fraction, 5);
+    EXPECT_EQ(textsOf(rounding, 10).front(), "≤2·10⁻⁶ %");
+    EXPECT_TRUE(rounding.isBelow(1.06e-8));
+    EXPECT_FALSE(rounding.isBelow(0.008));
 }
 
 TEST(LogAxisTest, oneValueNoValueAndNonsenseGiveAnAxis)

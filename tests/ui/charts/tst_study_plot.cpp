@@ -134,7 +134,7 @@ TEST(StudyPlotTest, descriptionNamesAllThatWasMeasured)
         study.points, [](const StudyPoint& p) { return p.variant == "probes 16"; });
     const auto index = static_cast<std::size_t>(found - study.points.begin());
     const QString all = describe(study, index).join('\n').replace(QChar(0x00A0), ' ');
-    for (const char* part : {"equal-probes",
+    for (const char* part : {"Equal probes",
                              "probes 16",
                              "520 ns",
                              "2.78 %",

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the chart can measure, as the panel sees it.
+#pragma once
+
+#include <QString>
+
+#include "core/base/result.h"
+#include "core/io/project.h"
+#include "core/study/study.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace trixel::ui {
+
+/// What a study is to run on.
+struct StudyInput
+{
+    std::optional<Project> project; ///< a snapshot; nothing: the stored test textures
+    QString name;                   ///< of the project
+};
+
+/// A study that can be run.
+struct StudyOffer
+{
+    QString title; ///< as people choose it
+    QString about; ///< one sentence
+    /// Name, titles and units as the study will have them, for the points that come before its end.
+    Study header;
+    bool onProject = true;
+    bool onStoredTextures = true;
+    /// Runs on another thread. Points may be told again when they are known better.
+    std::function<Result<Study>(const StudyInput& input, StudyWatcher& watcher)> run;
+};
+
+/// The studies of the program.
+std::vector<StudyOffer> studyOffers();
+
+} // namespace trixel::ui
