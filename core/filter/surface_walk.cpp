@@ -2,6 +2,7 @@
 #include "core/filter/surface_walk.h"
 
 #include "core/filter/query_ellipse.h"
+#include "core/lattice/edge_transfer.h"
 
 #include <algorithm>
 #include <array>
@@ -15,31 +16,46 @@ std::array<double, 3> heights(glm::dvec2 uv)
     return {uv.y, 1.0 - uv.x - uv.y, uv.x};
 }
 
+constexpr std::size_t kNoEdge = 3;
+
 /// Where a segment leaves its face.
 struct Exit
 {
-    LocalEdge edge{};
-    double t = 2; ///< along the segment; above 1 when it stays inside
+    std::size_t edge = kNoEdge; ///< kNoEdge when it stays inside
+    double t = 1;               ///< along the segment
 };
 
 /// \param entered  the edge that `from` lies on, which rounding must not make it leave by again
-Exit exitOf(glm::dvec2 from, glm::dvec2 to, std::optional<LocalEdge> entered)
+Exit exitOf(glm::dvec2 from, glm::dvec2 to, std::size_t entered)
 {
     const auto before = heights(from);
     const auto after = heights(to);
     Exit exit;
-    for (const LocalEdge edge : kLocalEdges) {
-        const double end = after[indexOf(edge)];
-        if (end >= 0 || edge == entered) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        if (after[edge] >= 0 || edge == entered) {
             continue;
         }
-        const double start = std::max(before[indexOf(edge)], 0.0);
-        const double t = start / (start - end);
-        if (t < exit.t) {
+        const double start = std::max(before[edge], 0.0);
+        const double t = start / (start - after[edge]);
+        if (t < exit.t || exit.edge == kNoEdge) {
             exit = {edge, t};
         }
     }
     return exit;
+}
+
+/// A vector of the face before, in (u,v) of the next.
+glm::dvec2 turned(const FilterSurface::EdgeStep& step, glm::dvec2 w)
+{
+    const std::array<float, 4>& turn = step.turn;
+    return {w.x * double{turn[0]} + w.y * double{turn[2]},
+            w.x * double{turn[1]} + w.y * double{turn[3]}};
+}
+
+/// The point of the edge, seen from its other side: what is t along it is 1 - t there.
+glm::dvec2 mirrored(glm::dvec2 uv, LocalEdge from, LocalEdge to)
+{
+    return fromEdge(to, {1 - std::clamp(toEdge(from, uv).t, 0.0, 1.0), 0});
 }
 
 } // namespace
@@ -50,25 +66,25 @@ SurfaceWalk walkStraight(const FilterSurface& surface,
                          const glm::dmat2& carried)
 {
     SurfaceWalk walk{from, carried, false};
-    glm::dvec2 target = from.uv + step;
-    std::optional<LocalEdge> entered;
+    std::size_t entered = kNoEdge;
     for (int crossings = 0;; ++crossings) {
-        const Exit exit = exitOf(walk.end.uv, target, entered);
-        if (exit.t > 1) {
-            walk.end.uv = broughtInside(target);
+        const Exit exit = exitOf(walk.end.uv, walk.end.uv + step, entered);
+        walk.end.uv = broughtInside(walk.end.uv + exit.t * step);
+        if (exit.edge == kNoEdge) {
             return walk;
         }
-        walk.end.uv = broughtInside(walk.end.uv + exit.t * (target - walk.end.uv));
-        const auto crossing =
-            crossings < kMostCrossings ? surface.crossing(walk.end.face, exit.edge) : std::nullopt;
-        if (!crossing) {
+        const FilterSurface::EdgeStep& across = surface.steps(walk.end.face).edges[exit.edge];
+        if (across.across == FilterSurface::EdgeStep::kBorder || crossings == kMostCrossings) {
             walk.stopped = true;
             return walk;
         }
-        walk.end = {crossing->face, broughtInside(crossing->point(walk.end.uv))};
-        walk.carried = {crossing->vector(walk.carried[0]), crossing->vector(walk.carried[1])};
-        target = crossing->point(target);
-        entered = crossing->edge;
+        entered = across.across & 3U;
+        walk.end = {faceId(across.across >> 2U),
+                    mirrored(walk.end.uv,
+                             static_cast<LocalEdge>(exit.edge),
+                             static_cast<LocalEdge>(entered))};
+        walk.carried = {turned(across, walk.carried[0]), turned(across, walk.carried[1])};
+        step = (1 - exit.t) * turned(across, step);
     }
 }
 
