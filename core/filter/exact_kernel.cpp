@@ -90,13 +90,17 @@ void addExactly(const LevelTexels& texels,
     constexpr WeightTag d;
     const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
     const double step2 = glm::dot(lattice.alongRow, lattice.alongRow);
+    // A product cannot come back from 0: weights that may get there are each an exp of their own.
+    const bool far = cut * cut - offset > 1000;
     // From one vector to the next a Gaussian changes by a factor that itself changes by a constant
     // factor. Started anew for every chunk, the error stays below 1e-13.
     const double jump = lanes;
     const auto change = hn::Set(d, std::exp(-jump * jump * step2));
     const std::size_t stride = texels.stride;
     HWY_ALIGN double weights[kChunk];
-    ChannelSums channels;
+    // Two chains of sums, for one waits for its own last addition.
+    ChannelSums even;
+    ChannelSums odd;
     auto weight = hn::Zero(d);
     forRunsInCircle(lattice, cut, [&](const TexelRun& run) HWY_ATTR {
         const auto height2 = hn::Set(d, run.height * run.height - offset);
@@ -112,17 +116,29 @@ void addExactly(const LevelTexels& texels,
                 const auto inRun = hn::FirstN(d, count - k);
                 weight = hn::Add(weight, hn::IfThenElseZero(inRun, w));
                 hn::Store(w, d, weights + k);
-                w = hn::Mul(w, ratio);
-                ratio = hn::Mul(ratio, change);
+                if (far) {
+                    const auto next = hn::Add(at, hn::Set(d, k + jump));
+                    const auto nextQ = hn::MulAdd(hn::Mul(next, next), hn::Set(d, step2), height2);
+                    w = hn::Exp(d, hn::Mul(nextQ, hn::Set(d, -0.5)));
+                } else {
+                    w = hn::Mul(w, ratio);
+                    ratio = hn::Mul(ratio, change);
+                }
             }
             const float* texel = texels.values + stride * (run.first + begin);
-            for (std::uint32_t k = 0; k < count; ++k, texel += stride) {
-                channels.add(weights[k], texel);
+            std::uint32_t k = 0;
+            for (; k + 1 < count; k += 2, texel += 2 * stride) {
+                even.add(weights[k], texel);
+                odd.add(weights[k + 1], texel + stride);
+            }
+            if (k < count) {
+                even.add(weights[k], texel);
             }
         }
         sums.taps += run.count;
     });
-    channels.addTo(sums.values, area);
+    even.addTo(sums.values, area);
+    odd.addTo(sums.values, area);
     sums.weight += area * hn::GetLane(hn::SumOfLanes(d, weight));
 }
 

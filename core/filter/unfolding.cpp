@@ -80,6 +80,7 @@ Unfolding::Unfolding()
     : m_slots(64)
 {
     m_laid.reserve(32);
+    m_offers.reserve(32);
     m_waiting.reserve(32);
 }
 
@@ -91,6 +92,7 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
                                               std::size_t mostFaces)
 {
     m_laid.clear();
+    m_offers.clear();
     m_waiting.clear();
     if (++m_stamp == 0) {
         std::ranges::fill(m_slots, Slot{});
@@ -101,11 +103,12 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
     offerNeighbours(surface, m_laid.back(), frame, cut);
     while (!m_waiting.empty() && m_laid.size() < mostFaces) {
         std::ranges::pop_heap(m_waiting, isLater);
-        const PlacedFace next = m_waiting.back().place;
+        const Candidate next = m_waiting.back();
         m_waiting.pop_back();
         if (!isLaid(next.face)) {
-            lay(next);
-            offerNeighbours(surface, next, frame, cut);
+            const PlacedFace place = m_offers[next.offer];
+            lay(place);
+            offerNeighbours(surface, place, frame, cut);
         }
     }
     return m_laid;
@@ -116,7 +119,7 @@ bool Unfolding::isLater(const Candidate& a, const Candidate& b)
     if (a.key != b.key) {
         return a.key > b.key;
     }
-    return a.parent != b.parent ? a.parent > b.parent : a.place.face > b.place.face;
+    return a.parent != b.parent ? a.parent > b.parent : a.face > b.face;
 }
 
 void Unfolding::lay(const PlacedFace& place)
@@ -136,11 +139,8 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
     for (const LocalEdge edge : kLocalEdges) {
         const std::size_t k = indexOf(edge);
         const std::size_t next = (k + 1) % 3;
-        if (squaredDistance(units[k], units[next]) > cut * cut) {
-            continue;
-        }
         const auto across = surface.adjacency().neighbour(place.face, edge);
-        if (!across || isLaid(across->face)) {
+        if (!across || isLaid(across->face) || squaredDistance(units[k], units[next]) > cut * cut) {
             continue;
         }
         // The neighbour runs along the edge the other way.
@@ -152,7 +152,11 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
         if (neighbour.distance < place.distance - slack) {
             continue;
         }
-        m_waiting.push_back({keyOf(neighbour), place.face, neighbour});
+        m_waiting.push_back({keyOf(neighbour),
+                             place.face,
+                             neighbour.face,
+                             static_cast<std::uint32_t>(m_offers.size())});
+        m_offers.push_back(neighbour);
         std::ranges::push_heap(m_waiting, isLater);
     }
 }

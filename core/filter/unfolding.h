@@ -97,12 +97,13 @@ public:
                                        std::size_t mostFaces = SIZE_MAX);
 
 private:
-    /// A face that waits to be laid.
+    /// A face that waits to be laid, where m_offers[offer] says.
     struct Candidate
     {
         double key = 0;
         FaceId parent{};
-        PlacedFace place;
+        FaceId face{};
+        std::uint32_t offer = 0;
     };
     static bool isLater(const Candidate& a, const Candidate& b);
 
@@ -127,6 +128,7 @@ private:
     std::vector<Slot> m_slots;
     std::uint32_t m_stamp = 0;
     std::vector<PlacedFace> m_laid;
+    std::vector<PlacedFace> m_offers;
     std::vector<Candidate> m_waiting; ///< a heap
 };
 

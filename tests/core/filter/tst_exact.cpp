@@ -151,6 +151,24 @@ TEST(Exact, findsTheNearestTexelWhereNoneLiesUnderTheFootprint)
     }
 }
 
+TEST(Exact, findsAFarTexelAmidTheFinestFaces)
+{
+    // Hundreds of standard deviations away, where exp(-q/2) is long 0.
+    const TriangleMesh mesh = flatMesh(3, 1);
+    FaceMap<Level> levels(mesh.faceCount(), Level(10));
+    levels[faceId(8)] = Level(0);
+    const std::array<float, 3> one = {1, 1, 1};
+    const TexelFormat format{TexelType::Float, 3, std::nullopt};
+    TexelStore store(format, levels, std::as_bytes(std::span(one)));
+    const std::array<float, 3> two = {2, 2, 2};
+    store.exchange(faceId(8), FaceTexels::constant(Level(0), std::as_bytes(std::span(two))));
+    const FilterScene scene = sceneOf(surfaceOf(mesh), store);
+    for (const glm::vec2 uv : {glm::vec2(0.25F, 0.35F), glm::vec2(0.4F, 0.25F)}) {
+        const Answer answer = ask(*exact(), scene, {faceId(8), uv, {0, 0}, {0, 0}});
+        EXPECT_EQ(answer.value[0], 2.0);
+    }
+}
+
 TEST(Exact, keepsNaNsBeyondTheFootprintOut)
 {
     const TriangleMesh mesh = flatMesh(2, 1);
