@@ -219,6 +219,44 @@ void addUnderWindow(const LevelTexels& texels,
     runs.addTo(sums);
 }
 
+void addFewUnderWindow(const LevelTexels& texels,
+                       const FewTexels& few,
+                       const GaussianWindow& window,
+                       const GroupValue& reference,
+                       WindowSums& sums)
+{
+    constexpr WeightTag d;
+    const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+    const WindowVectors vectors(window);
+    const auto cut2 = hn::Set(d, static_cast<float>(window.cut() * window.cut()));
+    HWY_ALIGN float weights[kFewTexels];
+    auto weight = hn::Zero(d);
+    for (std::uint32_t k = 0; k < few.count; k += lanes) {
+        const auto u = hn::LoadU(d, few.u + k);
+        const auto v = hn::LoadU(d, few.v + k);
+        const auto x = hn::MulAdd(u,
+                                  hn::Set(d, few.perU.x),
+                                  hn::MulAdd(v, hn::Set(d, few.perV.x), hn::Set(d, few.corner.x)));
+        const auto y = hn::MulAdd(u,
+                                  hn::Set(d, few.perU.y),
+                                  hn::MulAdd(v, hn::Set(d, few.perV.y), hn::Set(d, few.corner.y)));
+        const auto q = hn::MulAdd(x, x, hn::Mul(y, y));
+        const auto near = hn::And(hn::Le(q, cut2), hn::FirstN(d, few.count - k));
+        const auto w = hn::IfThenElseZero(near, vectors.weight(q));
+        sums.taps += static_cast<std::uint32_t>(hn::CountTrue(d, near));
+        weight = hn::Add(weight, w);
+        hn::Store(w, d, weights + k);
+    }
+    ChannelSums channels;
+    for (std::uint32_t k = 0; k < few.count; ++k) {
+        if (weights[k] > 0) {
+            channels.add(weights[k], texels.values + std::size_t{texels.stride} * k, reference);
+        }
+    }
+    channels.addTo(sums.values);
+    sums.weight += hn::GetLane(hn::SumOfLanes(d, weight));
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace trixel
 HWY_AFTER_NAMESPACE();
@@ -235,6 +273,17 @@ void addUnderWindow(const LevelTexels& texels,
                     WindowSums& sums)
 {
     HWY_DYNAMIC_DISPATCH(addUnderWindow)(texels, halves, window, reference, sums);
+}
+
+HWY_EXPORT(addFewUnderWindow);
+
+void addFewUnderWindow(const LevelTexels& texels,
+                       const FewTexels& few,
+                       const GaussianWindow& window,
+                       const GroupValue& reference,
+                       WindowSums& sums)
+{
+    HWY_DYNAMIC_DISPATCH(addFewUnderWindow)(texels, few, window, reference, sums);
 }
 
 } // namespace trixel

@@ -26,4 +26,23 @@ void addUnderWindow(const LevelTexels& texels,
                     const GroupValue& reference,
                     WindowSums& sums);
 
+/// Most texels of a face that are looked at one and all: those of level 2.
+inline constexpr std::uint32_t kFewTexels = 16;
+
+/// A face of few texels in the frame of the window.
+struct FewTexels
+{
+    std::uint32_t count = 1;
+    const float* u = nullptr; ///< of each centroid, in packed order; readable up to kFewTexels
+    const float* v = nullptr;
+    glm::vec2 corner{0}, perU{0}, perV{0}; ///< (u,v) lies at corner + u perU + v perV
+};
+
+/// The same as `addUnderWindow` without a search for rows.
+void addFewUnderWindow(const LevelTexels& texels,
+                       const FewTexels& few,
+                       const GaussianWindow& window,
+                       const GroupValue& reference,
+                       WindowSums& sums);
+
 } // namespace trixel

@@ -9,7 +9,17 @@ namespace trixel {
 namespace {
 
 /// Part of the taps that is planned with: faces differ from the lengths about them.
-constexpr double kPlannedShare = 0.7;
+constexpr double kPlannedShare = 0.8;
+
+/// Up to which level two may be blended, continuous in its arguments: the finer of them must not be
+/// above `finest`, unless it is the base, which is then read alone.
+double blendedLimit(double finest, double base)
+{
+    if (finest < base) {
+        return finest - 1;
+    }
+    return finest < base + 0.5 ? base - 1 + 2 * (finest - base) : finest - 0.5;
+}
 
 } // namespace
 
@@ -58,7 +68,8 @@ planEwa(const EwaSettings& settings, const GaussianWindow& window, const QueryEl
         plan.coarse = plan.fine;
         return plan;
     }
-    const double level = std::clamp(std::min(wanted, finest - 1), 0.0, double{Level::kMax});
+    const double limit = blendedLimit(finest, ellipse.log2Edge - ellipse.log2Texel);
+    const double level = std::clamp(std::min(wanted, limit), 0.0, double{Level::kMax});
     plan.coarse = static_cast<int>(level);
     plan.fine = std::min(plan.coarse + 1, Level::kMax);
     plan.blend = level - plan.coarse;

@@ -53,6 +53,30 @@ narrowingOf(glm::dvec2 e1, glm::dvec2 e2, const GaussianWindow& window, Level ba
     return {widened - part * xx, -part * xy, widened - part * yy};
 }
 
+/// Of every texel of a level, in packed order.
+struct Centroids
+{
+    std::array<float, kFewTexels> u{}, v{};
+};
+
+/// \param level  at most 2
+const Centroids& centroidsOf(Level level)
+{
+    static const auto kLevels = [] {
+        std::array<Centroids, 3> levels;
+        for (std::size_t n = 0; n < levels.size(); ++n) {
+            const Level of(static_cast<int>(n));
+            for (std::uint32_t k = 0; k < of.texelCount(); ++k) {
+                const glm::dvec2 uv = centroid(of, texelAt(of, static_cast<TexelIndex>(k)));
+                levels[n].u[k] = static_cast<float>(uv.x);
+                levels[n].v[k] = static_cast<float>(uv.y);
+            }
+        }
+        return levels;
+    }();
+    return kLevels[static_cast<std::size_t>(level.log2())];
+}
+
 } // namespace
 
 void EwaSum::add(const FilterScene& scene,
@@ -72,9 +96,29 @@ void EwaSum::add(const FilterScene& scene,
     const glm::dvec2 e1 = narrow(side1);
     const glm::dvec2 e2 = narrow(side2);
     WindowSums sums;
-    const std::array<HalfLattice, 2> halves = {HalfLattice(TexelHalf::Lower, read, origin, e1, e2),
-                                               HalfLattice(TexelHalf::Upper, read, origin, e1, e2)};
-    addUnderWindow(texels, halves, window, m_reference, sums);
+    // Floats place a centroid well enough while a face is few standard deviations wide.
+    constexpr double kWidest = 32;
+    if (read.texelCount() <= kFewTexels &&
+        std::max({std::abs(e1.x), std::abs(e1.y), std::abs(e2.x), std::abs(e2.y)}) < kWidest) {
+        const Centroids& centroids = centroidsOf(read);
+        addFewUnderWindow(texels,
+                          {read.texelCount(),
+                           centroids.u.data(),
+                           centroids.v.data(),
+                           glm::vec2(origin),
+                           glm::vec2(e1),
+                           glm::vec2(e2)},
+                          window,
+                          m_reference,
+                          sums);
+    } else {
+        addUnderWindow(texels,
+                       {HalfLattice(TexelHalf::Lower, read, origin, e1, e2),
+                        HalfLattice(TexelHalf::Upper, read, origin, e1, e2)},
+                       window,
+                       m_reference,
+                       sums);
+    }
     m_taps += sums.taps;
     const double area = (e1.x * e2.y - e1.y * e2.x) / read.texelCount();
     m_weight += area * static_cast<double>(sums.weight);

@@ -12,29 +12,25 @@ double cross(glm::dvec2 a, glm::dvec2 b)
     return a.x * b.y - a.y * b.x;
 }
 
-/// Squared distance from the origin to the segment from a to b.
+/// Squared distance from the origin to the segment from a to b, which differ.
 double squaredDistance(glm::dvec2 a, glm::dvec2 b)
 {
     const glm::dvec2 along = b - a;
-    const double squared = glm::dot(along, along);
-    const double t = squared > 0 ? std::clamp(-glm::dot(a, along) / squared, 0.0, 1.0) : 0.0;
-    const glm::dvec2 nearest = a + t * along;
+    const double t = -glm::dot(a, along) / glm::dot(along, along);
+    const glm::dvec2 nearest = a + std::max(0.0, std::min(t, 1.0)) * along;
     return glm::dot(nearest, nearest);
 }
 
 /// Distance from the origin to the triangle, which turns left.
 double distanceTo(const PlacedFace& place)
 {
-    double squared = 0;
-    bool inside = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec2 a = place.corner(k);
-        const glm::dvec2 b = place.corner((k + 1) % 3);
-        const double toEdge = squaredDistance(a, b);
-        squared = k == 0 ? toEdge : std::min(squared, toEdge);
-        inside = inside && cross(a, b) >= 0;
-    }
-    return inside ? 0.0 : std::sqrt(squared);
+    const glm::dvec2 a = place.corner(0);
+    const glm::dvec2 b = place.corner(1);
+    const glm::dvec2 c = place.corner(2);
+    const double squared =
+        std::min({squaredDistance(a, b), squaredDistance(b, c), squaredDistance(c, a)});
+    const double inside = std::min({cross(a, b), cross(b, c), cross(c, a)});
+    return inside >= 0 ? 0.0 : std::sqrt(squared);
 }
 
 /// Where the rule of the header puts a face, rounded to 30 bits so that rounding errors do not
