@@ -63,9 +63,9 @@ std::string variantOf(const MethodParameter& parameter, double value)
     return text.str();
 }
 
-double rangeOf(const FilterScene& scene, Threads threads)
+double rangeOf(const FloatMips& mips, Threads threads)
 {
-    const double range = valueRange(scene.mips(), threads);
+    const double range = valueRange(mips, threads);
     return range > 0 ? range : 1;
 }
 
@@ -133,7 +133,10 @@ Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Pro
         }
         StudySubject subject;
         subject.name = nameOf(content);
-        subject.range = rangeOf(scene->scene, threads);
+        NoProgress quick; // one tile has the range of all
+        const auto tile =
+            FloatMips::build(data->tiles[static_cast<std::size_t>(content)], threads, quick);
+        subject.range = rangeOf(*tile, threads);
         subject.scene = std::make_shared<const FilterScene>(std::move(scene->scene));
         subject.queries = std::move(scene->queries);
         subject.exact = std::move(scene->exact);
@@ -176,7 +179,7 @@ Result<StudySubject> subjectOn(std::shared_ptr<const FilterScene> scene,
     }
     StudySubject subject;
     subject.name = std::move(name);
-    subject.range = rangeOf(*scene, threads);
+    subject.range = rangeOf(scene->mips(), threads);
     const std::uint64_t left = keepAnswered(all, answers, scene->channels(), subject);
     if (refused != nullptr) {
         *refused = left;

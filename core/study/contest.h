@@ -76,8 +76,9 @@ using Contestants = std::vector<std::unique_ptr<const Contestant>>;
 /// \param subjects  outlive the contestants
 Contestants tableContestants(const std::vector<StudySubject>& subjects);
 
-/// Tiles along each side of the patch that studies use: faces far from the middle cost memory.
-inline constexpr int kStudyTiles = 3;
+/// Tiles along each side of the patch that studies use: none of the stored
+/// footprints reaches beyond it.
+inline constexpr int kStudyTiles = kAllQueriesTiles;
 
 /// The stored distribution on both stored textures.
 /// \param tiles  see `buildTestScene`

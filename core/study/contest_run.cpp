@@ -83,12 +83,18 @@ void ContestRun::judgeBatch(const QueryBatch& batch,
     }
 }
 
-void ContestRun::judge(const std::shared_ptr<const std::vector<QueryBatch>>& batches)
+void ContestRun::judge(const std::shared_ptr<const std::vector<QueryBatch>>& batches, bool partly)
 {
+    m_partly = partly;
     prepare(batches);
     std::vector<std::vector<bool>> kept;
     for (const StudySubject& subject : m_subjects) {
-        kept.emplace_back(subject.queries.size(), true);
+        kept.emplace_back(subject.queries.size());
+    }
+    for (const QueryBatch& batch : *m_batches) {
+        for (const std::size_t i : batch.indices) {
+            kept[batch.subject][i] = true;
+        }
     }
     for (std::size_t b = 0; b < m_batches->size(); ++b) {
         const QueryBatch& batch = (*m_batches)[b];
@@ -139,6 +145,7 @@ StudyPoint ContestRun::pointOf(std::optional<FootprintClass> footprintClass) con
     point.variant = m_contestant.variant();
     point.method = m_contestant.method();
     point.footprintClass = footprintClass;
+    point.partly = m_partly;
     ErrorSums errors;
     for (std::size_t k = 0; k < m_errors.size(); ++k) {
         if (!footprintClass || k == static_cast<std::size_t>(*footprintClass)) {

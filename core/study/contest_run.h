@@ -24,8 +24,9 @@ public:
 
     /// The first pass: judges every answer and times the classes. Queries that are refused do not
     /// count from then on.
-    /// \param batches  of all subjects' queries
-    void judge(const std::shared_ptr<const std::vector<QueryBatch>>& batches);
+    /// \param batches  of the subjects' queries, all or some
+    /// \param partly   whether they are some
+    void judge(const std::shared_ptr<const std::vector<QueryBatch>>& batches, bool partly);
 
     /// Times every batch once more; the least time of each counts.
     void time();
@@ -59,6 +60,7 @@ private:
     std::array<ErrorSums, kFootprintClasses> m_errors;
     std::array<std::uint64_t, kFootprintClasses> m_refused{};
     bool m_hasRefused = false;
+    bool m_partly = false;
 };
 
 } // namespace trixel

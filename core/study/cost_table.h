@@ -45,7 +45,8 @@ struct CostTable
 std::uint64_t costTableContents();
 
 /// The study's points of single classes that name a method; those of a method that refused
-/// footprints of the class are left out, because `auto` has to answer all.
+/// footprints of the class are left out, because `auto` has to answer all, and so are those
+/// measured partly, whose errors are not known well enough; but not `exact`, which has none.
 CostTable costTableOf(const Study& study);
 
 /// Measures the stored distribution: a few seconds. Fails only when cancelled.

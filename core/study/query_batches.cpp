@@ -49,6 +49,23 @@ std::vector<QueryBatch> makeBatches(const std::vector<StudySubject>& subjects,
     return batches;
 }
 
+std::vector<QueryBatch> thinned(const std::vector<StudySubject>& subjects,
+                                const std::vector<QueryBatch>& batches,
+                                std::size_t step)
+{
+    std::vector<std::vector<bool>> kept;
+    for (const StudySubject& subject : subjects) {
+        kept.emplace_back(subject.queries.size());
+    }
+    for (const QueryBatch& batch : batches) {
+        const std::size_t first = std::min(step, batch.indices.size() + 1) / 2;
+        for (std::size_t k = first; batch.footprintClass && k < batch.indices.size(); k += step) {
+            kept[batch.subject][batch.indices[k]] = true;
+        }
+    }
+    return makeBatches(subjects, kept);
+}
+
 QueryBatch sparseBatch(const StudySubject& subject, std::size_t number, std::size_t count)
 {
     QueryBatch batch;

@@ -24,6 +24,11 @@ struct QueryBatch
 std::vector<QueryBatch> makeBatches(const std::vector<StudySubject>& subjects,
                                     const std::vector<std::vector<bool>>& kept = {});
 
+/// The same of one query in `step` of each class.
+std::vector<QueryBatch> thinned(const std::vector<StudySubject>& subjects,
+                                const std::vector<QueryBatch>& batches,
+                                std::size_t step);
+
 /// About `count` queries of a subject, evenly spread over its order.
 QueryBatch sparseBatch(const StudySubject& subject, std::size_t number, std::size_t count);
 

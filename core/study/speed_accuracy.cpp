@@ -17,12 +17,17 @@ std::string nameOf(const Contestant& contestant)
     return contestant.series() + (contestant.variant().empty() ? "" : ", " + contestant.variant());
 }
 
-std::string tooSlow(const Contestant& contestant, double seconds)
+std::string tooSlow(const Contestant& contestant, double seconds, std::size_t step)
 {
     std::ostringstream text;
     text.precision(2);
-    text << nameOf(contestant) << " was left out: one pass would take about " << seconds
-         << " s of processor time.";
+    text << nameOf(contestant);
+    if (step > 0) {
+        text << " was measured on one footprint in " << step;
+    } else {
+        text << " was left out";
+    }
+    text << ": one pass over all would take about " << seconds << " s of processor time.";
     return text.str();
 }
 
@@ -78,11 +83,17 @@ public:
     {
         auto run = std::make_unique<ContestRun>(m_subjects, contestant);
         const double expected = run->estimatedSeconds();
-        if (expected > m_options.secondsAtMost) {
-            m_study.notes.push_back(tooSlow(contestant, expected));
+        if (expected <= m_options.secondsAtMost) {
+            run->judge(m_batches, false);
+        } else if (const std::size_t step = thinning(expected); step > 0) {
+            m_study.notes.push_back(tooSlow(contestant, expected, step));
+            run->judge(std::make_shared<const std::vector<QueryBatch>>(
+                           thinned(m_subjects, *m_batches, step)),
+                       true);
+        } else {
+            m_study.notes.push_back(tooSlow(contestant, expected, 0));
             return;
         }
-        run->judge(m_batches);
         const auto points = run->points();
         if (run->hasRefused()) {
             m_study.notes.push_back(
@@ -125,6 +136,14 @@ public:
     }
 
 private:
+    /// One query in how many is affordable; 0: too few.
+    std::size_t thinning(double expected) const
+    {
+        constexpr double kMostThinning = 200;
+        const double step = std::ceil(expected / m_options.secondsAtMost);
+        return step >= 1 && step <= kMostThinning ? static_cast<std::size_t>(step) : 0;
+    }
+
     const std::vector<StudySubject>& m_subjects;
     const SpeedAccuracyOptions& m_options;
     StudyWatcher& m_watcher;

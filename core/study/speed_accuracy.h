@@ -18,7 +18,8 @@ struct SpeedAccuracyOptions
     /// How often each batch is timed, interleaved with those of all others; the least time counts.
     int rounds = 5;
     /// Processor time that one contestant may take in one pass over all queries. Who would take
-    /// longer is left out, and the study's notes say so.
+    /// longer is measured on some of them, evenly chosen from every class, or left out where that
+    /// would be less than one in two hundred; the study's notes say so.
     double secondsAtMost = 4;
     /// Processor time for all rounds of one contestant: who is slow is timed less often, at least
     /// once.

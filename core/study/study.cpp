@@ -73,6 +73,7 @@ std::string toJson(const Study& study)
                               {"worst", point.worst},
                               {"samples", point.samples},
                               {"refused", point.refused},
+                              {"partly", point.partly},
                               {"front", point.onFront}};
         if (point.method) {
             row["method"] = toText(*point.method);

@@ -28,6 +28,7 @@ struct StudyPoint
     std::uint64_t samples = 0;
     bool onFront = false;      ///< nobody of its class is cheaper and as accurate
     std::uint64_t refused = 0; ///< queries that the method refused; left out of the errors
+    bool partly = false;       ///< measured on some of the footprints only: all would take too long
 
     bool operator==(const StudyPoint&) const = default;
 };

@@ -166,6 +166,41 @@ TEST(SpeedAccuracy, whoWouldTakeTooLongIsLeftOutAndNamed)
     EXPECT_THAT(study.notes, testing::ElementsAre(HasSubstr("tenth was left out")));
 }
 
+TEST(QueryBatches, thinningKeepsSomeOfEveryClass)
+{
+    const auto all = makeBatches(smallSubjects());
+    const auto some = thinned(smallSubjects(), all, 10);
+    ASSERT_EQ(some.size(), all.size());
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        const double count = static_cast<double>(all[b].indices.size());
+        EXPECT_EQ(some[b].footprintClass, all[b].footprintClass);
+        EXPECT_GE(some[b].indices.size(), 1U);
+        EXPECT_NEAR(static_cast<double>(some[b].indices.size()), count / 10, 5);
+        for (const std::size_t i : some[b].indices) {
+            EXPECT_THAT(all[b].indices, testing::Contains(i));
+        }
+    }
+}
+
+TEST(SpeedAccuracy, whoIsMeasuredPartlyIsNamed)
+{
+    Contestants contestants;
+    contestants.push_back(offBy("tenth", 0.1F));
+    contestants.push_back(offBy("fifth", 0.2F));
+    SpeedAccuracyOptions options = quick();
+    // So little that everyone takes longer, but not two hundred times as long.
+    for (options.secondsAtMost = 1e-6; options.secondsAtMost < 1e-2; options.secondsAtMost *= 2) {
+        const Study study = measured(contestants, options);
+        for (const StudyPoint& point : study.points) {
+            const bool named = std::ranges::any_of(study.notes, [&](const std::string& note) {
+                return note.starts_with(point.series + " was measured on one footprint in ");
+            });
+            EXPECT_EQ(point.partly, named);
+            EXPECT_NEAR(point.worst, point.series == "tenth" ? 0.1 : 0.2, 1e-6);
+        }
+    }
+}
+
 TEST(SpeedAccuracy, answersThatAreNotFiniteCountInFull)
 {
     Contestants contestants;
