@@ -141,7 +141,7 @@ Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Pro
         subject.queries = std::move(scene->queries);
         subject.exact = std::move(scene->exact);
         subject.content = content;
-        subject.stored = std::move(scene->stored);
+        subject.tiles = tiles;
         subjects.push_back(std::move(subject));
     }
     return subjects;

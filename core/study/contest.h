@@ -27,9 +27,9 @@ struct StudySubject
     QueryArrays queries;
     std::vector<float> exact; ///< channel c of query i at c * queries.size() + i
     double range = 1;         ///< what errors are fractions of
-    /// Where the subject is a patch of stored tiles: which, and the number of each stored query.
+    /// Where the subject is a patch of stored tiles: which, and how many a side.
     std::optional<TestContent> content;
-    std::vector<std::size_t> stored;
+    int tiles = 0;
 };
 
 /// Queries that a contestant has put into its own terms; that work is not timed.

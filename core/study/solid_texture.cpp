@@ -2,6 +2,7 @@
 #include "core/study/solid_texture.h"
 
 #include "core/lattice/texel.h"
+#include "core/study/tile_picture.h"
 #include "core/texture/texel_format.h"
 
 #include <algorithm>
@@ -11,39 +12,6 @@
 
 namespace trixel {
 namespace {
-
-/// Texels of a tile by oblique position.
-class TilePicture
-{
-public:
-    explicit TilePicture(const TexelStore& tile)
-        : m_tile(tile)
-    {
-    }
-
-    /// \param at  in texels, any; periodic
-    std::array<float, 3> colour(glm::dvec2 at) const
-    {
-        constexpr double kSize = kTileRhombi;
-        const glm::dvec2 rhombi = at / static_cast<double>(kTileLevel.resolution());
-        const double x = rhombi.x - kSize * std::floor(rhombi.x / kSize);
-        const double y = rhombi.y - kSize * std::floor(rhombi.y / kSize);
-        const int a = std::min(static_cast<int>(x), kTileRhombi - 1);
-        const int b = std::min(static_cast<int>(y), kTileRhombi - 1);
-        const glm::dvec2 uv(x - a, y - b);
-        const bool upper = uv.x + uv.y > 1;
-        const TexelCoord texel = texelAt(kTileLevel, upper ? 1.0 - uv : uv);
-        const auto face = static_cast<std::size_t>(2 * (a + kTileRhombi * b)) + (upper ? 1 : 0);
-        std::array<float, 3> values{};
-        decode(TexelType::UInt8,
-               m_tile.face(faceId(face)).texel(indexOf(texelIndex(kTileLevel, texel))),
-               values);
-        return values;
-    }
-
-private:
-    const TexelStore& m_tile;
-};
 
 std::array<float, 3>
 solidAt(const TilePicture& natural, const TilePicture& hardEdged, glm::dvec3 texels)

@@ -168,6 +168,14 @@ glm::dvec2 inTile(FaceId face, glm::dvec2 uv)
     return isUpper(face) ? corner + 1.0 - uv : corner + uv;
 }
 
+FaceId tileFace(FaceId patchFace, int tiles)
+{
+    const auto size = static_cast<std::size_t>(tiles * kTileRhombi);
+    const std::size_t a = rhombusOf(patchFace) % size % kTileRhombi;
+    const std::size_t b = rhombusOf(patchFace) / size % kTileRhombi;
+    return faceId(2 * (a + b * kTileRhombi) + (isUpper(patchFace) ? 1 : 0));
+}
+
 Adjacency tileAdjacency()
 {
     return rhombicAdjacency(kTileRhombi, around);

@@ -38,6 +38,9 @@ std::string_view nameOf(TestContent content);
 /// Oblique coordinates of a point of a face of the tile, in rhombi: (1,0) and (0,1) are its axes.
 glm::dvec2 inTile(FaceId face, glm::dvec2 uv);
 
+/// The face of the tile that a face of a patch of so many tiles a side repeats.
+FaceId tileFace(FaceId patchFace, int tiles);
+
 /// Neighbours on the tile, which closes upon itself.
 Adjacency tileAdjacency();
 

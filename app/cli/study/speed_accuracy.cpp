@@ -4,8 +4,11 @@
 #include "app/cli/arguments.h"
 #include "app/cli/filter_input.h"
 #include "app/cli/study/studies.h"
+#include "core/study/peers/peers.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -101,12 +104,18 @@ Result<Outcome> study(const Arguments& arguments, Progress& progress)
     if (!numbers) {
         return tl::unexpected(numbers.error());
     }
-    StageProgress preparing(progress, 0, 0.3);
+    StageProgress preparing(progress, 0, 0.2);
     const auto subjects = subjectsOf(arguments, *numbers, preparing);
     if (!subjects) {
         return tl::unexpected(subjects.error());
     }
-    const Contestants contestants = tableContestants(subjects->subjects);
+    Contestants contestants = tableContestants(subjects->subjects);
+    StageProgress inviting(progress, 0.2, 0.3);
+    auto peers = makePeers(subjects->subjects, peerFolder(), inviting);
+    if (!peers) {
+        return tl::unexpected(peers.error());
+    }
+    std::ranges::move(peers->contestants, std::back_inserter(contestants));
     StageProgress measuring(progress, 0.3, 1);
     UnwatchedPoints watcher(measuring);
     auto measured =
@@ -115,6 +124,7 @@ Result<Outcome> study(const Arguments& arguments, Progress& progress)
         return tl::unexpected(measured.error());
     }
     measured->notes.insert(measured->notes.begin(), subjects->notes.begin(), subjects->notes.end());
+    measured->notes.insert(measured->notes.end(), peers->notes.begin(), peers->notes.end());
     printStudy(*measured);
     return writeStudy(*measured, arguments.output).map([] { return Outcome::Done; });
 }
