@@ -42,7 +42,10 @@ void FilterSceneSource::want(QObject& who, bool wanted)
     }
     if (std::ranges::find(m_wanting, &who) == m_wanting.end()) {
         m_wanting.push_back(&who);
-        connect(&who, &QObject::destroyed, this, [this](const QObject* gone) { leave(gone); });
+        connect(&who, &QObject::destroyed, this, [this](const QObject* gone) {
+            disconnect(this, nullptr, gone, nullptr); // half gone, it must not hear of it
+            leave(gone);
+        });
     }
     refresh();
 }

@@ -11,6 +11,14 @@ namespace trixel::ui {
 /// What the pointer does on the surface.
 enum class Tool { Brush, Eraser, Fill, Pick };
 
+/// A picture of numbers over the view, computed for each pixel.
+enum class ViewMapKind {
+    None,
+    Filtered,  ///< the texels as the chosen filter method sees them
+    Condition, ///< of the pixel's footprint
+    Error      ///< of the chosen method against the exact answer
+};
+
 /// How the viewport draws. A value: compared, copied, stored in settings.
 struct ViewOptions
 {
@@ -19,6 +27,7 @@ struct ViewOptions
     bool texelGrid = false;
     bool footprint = true; ///< ellipse of the hovered pixel on the surface
     int mipDrop = 0;       ///< show every face this many levels coarser
+    ViewMapKind map = ViewMapKind::None;
 
     bool operator==(const ViewOptions&) const = default;
 };

@@ -11,13 +11,24 @@
 #include "ui/viewport/hovered_texel.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace trixel::ui {
 
 class Document;
 class ViewSettings;
+
+/// An edge of a face.
+struct SurfaceEdge
+{
+    FaceId face{};
+    LocalEdge edge{};
+
+    bool operator==(const SurfaceEdge&) const = default;
+};
 
 /// The 3D view: shows the document's surface with its texels, navigates, and paints.
 ///
@@ -46,6 +57,11 @@ public:
     /// Frames a face and its neighbours, looked at from its front. A face that does not exist is
     /// ignored.
     void frameFace(FaceId face);
+    /// Frames an edge with the faces on both sides, looked at from the front. A face that does not
+    /// exist is ignored.
+    void frameEdge(SurfaceEdge edge);
+    /// Draws a line along an edge until another is marked, or nothing.
+    void markEdge(std::optional<SurfaceEdge> edge);
 
     const render::Camera& camera() const;
     void setCamera(const render::CameraPose& pose);
@@ -60,6 +76,12 @@ public:
     /// The point of the surface seen at a position of the widget.
     std::optional<SurfacePoint> surfacePointAt(QPointF position) const;
 
+    /// Lays rows of a picture over the surface and under the lines: R G B A for each device pixel
+    /// of a view of that size, from the top. A picture of another size begins clear.
+    void setPictureRows(std::span<const std::uint32_t> pixels, QSize size, int firstRow);
+    void clearPicture();
+    bool hasPicture() const;
+
     /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
     /// `grabFramebuffer` is complete.
     void settle();
@@ -71,6 +93,10 @@ public:
 signals:
     /// Nothing when the pointer is off the surface.
     void hovered(const std::optional<trixel::ui::HoveredTexel>& texel);
+    /// Where the pointer is over the view, also when the view moves under it; nothing when it left.
+    void pointerMoved(const std::optional<QPointF>& position);
+    /// The camera moved or the picture has another size.
+    void cameraChanged();
     /// The pick tool met a texel.
     void colorPicked(const std::array<float, 4>& color);
     /// One sentence for the status bar (OpenGL not available, texels shown reduced, …).

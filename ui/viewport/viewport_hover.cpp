@@ -43,6 +43,9 @@ void Viewport::Private::refreshHover()
 {
     const bool hadTexel = hoveredTexel.has_value();
     hoveredTexel.reset();
+    const double ratio = q.devicePixelRatioF();
+    emit q.pointerMoved(pointer ? std::optional(QPointF(pointer->x / ratio, pointer->y / ratio))
+                                : std::nullopt);
     const auto point =
         pointer && isInside(*pointer, camera.viewport()) ? hit(*pointer) : std::nullopt;
     if (point) {
@@ -67,6 +70,7 @@ void Viewport::Private::leave()
 
 void Viewport::Private::cameraMoved()
 {
+    emit q.cameraChanged();
     refreshHover();
     redraw();
 }
@@ -74,13 +78,18 @@ void Viewport::Private::cameraMoved()
 std::vector<render::Polyline> Viewport::Private::overlays() const
 {
     std::vector<render::Polyline> lines;
+    if (const auto mark = edgeMark()) {
+        lines.push_back(*mark);
+    }
     if (!shownSurface || interaction == Interaction::Camera) {
         return lines;
     }
     const TriangleMesh& mesh = shownSurface->mesh();
     const bool idle = interaction == Interaction::None;
     if (hoveredTexel && shownView.footprint && idle) {
-        lines = footprintLines(mesh, *hoveredTexel);
+        for (render::Polyline& line : footprintLines(mesh, *hoveredTexel)) {
+            lines.push_back(std::move(line));
+        }
     }
     const bool paints = settings.tool() == Tool::Brush || settings.tool() == Tool::Eraser;
     if (hoveredTexel && (!paints || shownView.texelGrid) && idle) {

@@ -33,6 +33,16 @@ struct PointerEvent
     bool eraserEnd = false;
 };
 
+/// A computed picture over the view.
+struct PictureOver
+{
+    std::vector<std::uint32_t> pixels;
+    glm::ivec2 size{0};
+    bool isNew = true;
+    int firstTouched = 0; ///< rows to send: from here …
+    int endTouched = 0;   ///< … to before here
+};
+
 /// The viewport's state; its functions are grouped by file.
 class Viewport::Private
 {
@@ -56,6 +66,10 @@ public:
     void paintHint();
     void explainNoOpenGl(const QString& reason);
     void showLegend();
+
+    // viewport_picture.cpp: what is laid over it
+    void sendPicture();
+    std::optional<render::Polyline> edgeMark() const;
 
     // viewport_hover.cpp: what is under the pointer
     glm::dvec2 devicePosition(QPointF position) const;
@@ -87,6 +101,9 @@ public:
     std::vector<std::uint32_t> normals; ///< empty until they are made
     QLabel* message = nullptr;          ///< in the view's place when it cannot draw
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
+
+    PictureOver picture;
+    std::optional<SurfaceEdge> markedEdge;
 
     std::optional<glm::dvec2> pointer; ///< last position over the view
     std::optional<HoveredTexel> hoveredTexel;

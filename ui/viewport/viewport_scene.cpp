@@ -33,6 +33,7 @@ void Viewport::Private::takeSurface()
     texelsDirty = true;
     normals.clear();
     shownSurface = document.surface();
+    markedEdge.reset();
     hoveredTexel.reset();
     emit q.hovered(std::nullopt);
     if (shownSurface) {
@@ -107,6 +108,7 @@ void Viewport::Private::draw()
     fitCamera(); // the window may have come to a screen of another density
     sendMesh();
     sendTexels(kUploadMs);
+    sendPicture();
     renderer->draw(scene());
     if (!shownSurface) {
         paintHint();
@@ -123,7 +125,11 @@ void Viewport::Private::redraw()
 void Viewport::Private::fitCamera()
 {
     const double ratio = q.devicePixelRatioF();
+    const glm::ivec2 before = camera.viewport();
     camera.setViewport(qRound(q.width() * ratio), qRound(q.height() * ratio));
+    if (camera.viewport() != before) {
+        emit q.cameraChanged();
+    }
 }
 
 void Viewport::Private::sendMesh()

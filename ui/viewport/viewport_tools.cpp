@@ -76,6 +76,7 @@ void Viewport::Private::move(const PointerEvent& event)
     case Interaction::Camera:
         pointer = position;
         dragCamera(camera, cameraDrag, moved, pressPosition);
+        emit q.cameraChanged();
         redraw();
         return;
     case Interaction::BrushDrag:

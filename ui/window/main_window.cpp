@@ -23,6 +23,8 @@
 #include "ui/docks/chart_panel.h"
 #include "ui/docks/readout_panel.h"
 #include "ui/docks/report_panel.h"
+#include "ui/docks/seam_panel.h"
+#include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
 #include "ui/window/brush_actions.h"
@@ -30,6 +32,7 @@
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
 #include "ui/window/job_bar.h"
+#include "ui/window/map_actions.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_actions.h"
 #include "ui/window/status_line.h"
@@ -58,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
     , m_colors(m_settings)
     , m_files(m_document, m_jobs)
+    , m_filterScene(m_document, m_jobs)
 {
     setObjectName("mainWindow");
     setAcceptDrops(true);
@@ -103,6 +107,7 @@ void MainWindow::makeCenter()
     m_viewport = new Viewport(m_document, m_settings);
     m_viewport->setAccessibleName(tr("3D view"));
     m_viewport->setObjectName("viewport");
+    m_viewMap = new ViewMap(m_document, m_settings, m_filterScene, *m_viewport, m_viewport);
     m_fileActions = new FileActions(m_document, m_files, *m_messages, *this);
     m_center = new QStackedWidget;
     m_center->addWidget(new Welcome({m_fileActions->newAction(), m_fileActions->openAction()}));
@@ -137,6 +142,7 @@ void MainWindow::makePanels()
     m_brushPanel = new BrushPanel(m_settings, m_colors);
     m_readout = new ReadoutPanel(m_document);
     m_report = new ReportPanel;
+    m_seams = new SeamPanel(m_document, m_settings, m_filterScene, m_jobs, *m_viewport);
     auto* history = new QUndoView(&m_document.undoStack());
     history->setEmptyLabel(tr("As opened"));
     history->setAccessibleName(tr("Undo history"));
@@ -146,13 +152,16 @@ void MainWindow::makePanels()
     QDockWidget* readout = addPanel("readoutPanel", tr("Texel"), m_readout);
     QDockWidget* report = addPanel("reportPanel", tr("Mesh"), m_report);
     QDockWidget* steps = addPanel("historyPanel", tr("History"), history);
+    QDockWidget* seams = addPanel("seamPanel", tr("Seams"), m_seams);
     tabifyDockWidget(readout, report);
     tabifyDockWidget(report, steps);
+    tabifyDockWidget(steps, seams);
     readout->raise();
     m_panelActions->add(*brush, {Qt::Key_F2});
     m_panelActions->add(*readout, {Qt::Key_F3});
     m_panelActions->add(*report, {Qt::Key_F4});
     m_panelActions->add(*steps, {Qt::Key_F5});
+    m_panelActions->add(*seams, {Qt::Key_F7});
     makeStudyPanels();
 }
 
@@ -184,6 +193,7 @@ void MainWindow::makeMenus()
     m_toolActions = new ToolActions(m_settings, *this);
     m_brushActions = new BrushActions(m_settings, m_colors, *m_brushPanel, *this);
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
+    m_mapActions = new MapActions(m_settings, *this);
 
     m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
     m_editActions->fillMenu(*menuBar()->addMenu(tr("&Edit")));
@@ -191,6 +201,8 @@ void MainWindow::makeMenus()
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
+    view->addSeparator();
+    m_mapActions->fillMenu(*view);
     view->addSeparator();
     m_panelActions->fillMenu(*view);
 
@@ -271,6 +283,10 @@ void MainWindow::connectView()
         m_viewport->lookFrom(kSampleYaw, kSamplePitch, kSampleCloseness);
     });
     connect(m_report, &ReportPanel::faceChosen, m_viewport, &Viewport::frameFace);
+    connect(m_seams, &SeamPanel::edgeChosen, m_viewport, [this](SurfaceEdge edge) {
+        m_viewport->markEdge(edge);
+        m_viewport->frameEdge(edge);
+    });
     connect(m_viewport, &Viewport::notice, this, [this](const QString& sentence) {
         m_messages->showMessage(MessageBar::Kind::Note, sentence);
     });

@@ -6,6 +6,7 @@
 #include "ui/docks/brush_colors.h"
 #include "ui/document/background_job.h"
 #include "ui/document/document.h"
+#include "ui/document/filter_scene_source.h"
 #include "ui/document/project_files.h"
 #include "ui/viewport/view_settings.h"
 
@@ -19,12 +20,15 @@ class BrushPanel;
 class ChartPanel;
 class EditActions;
 class FileActions;
+class MapActions;
 class MessageBar;
 class PanelActions;
 class ReadoutPanel;
 class ReportPanel;
+class SeamPanel;
 class ToolActions;
 class ViewActions;
+class ViewMap;
 class Viewport;
 
 /// The window: puts document, view, panels and menus together. What they do lives in them.
@@ -41,6 +45,8 @@ public:
     ProjectFiles& files() { return m_files; }
     BackgroundJobs& jobs() { return m_jobs; }
     Viewport& viewport() { return *m_viewport; }
+    ViewMap& viewMap() { return *m_viewMap; }
+    SeamPanel& seams() { return *m_seams; }
     MessageBar& messages() { return *m_messages; }
 
     /// Opens a file as if chosen in the menu.
@@ -74,6 +80,7 @@ private:
     BrushColors m_colors;
     BackgroundJobs m_jobs;
     ProjectFiles m_files;
+    FilterSceneSource m_filterScene;
 
     QStackedWidget* m_center = nullptr;
     Viewport* m_viewport = nullptr;
@@ -82,12 +89,15 @@ private:
     ReadoutPanel* m_readout = nullptr;
     ReportPanel* m_report = nullptr;
     ChartPanel* m_chart = nullptr;
+    SeamPanel* m_seams = nullptr;
+    ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
     EditActions* m_editActions = nullptr;
     ToolActions* m_toolActions = nullptr;
     BrushActions* m_brushActions = nullptr;
     ViewActions* m_viewActions = nullptr;
+    MapActions* m_mapActions = nullptr;
     PanelActions* m_panelActions = nullptr;
     bool m_mayClose = false;
 };

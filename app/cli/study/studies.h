@@ -14,6 +14,7 @@ namespace trixel::app {
 
 /// Makes one study known below the verb, as AddVerb does.
 void addSpeedAccuracy(CLI::App& verb, Work& chosen);
+void addSeams(CLI::App& verb, Work& chosen);
 void addAuto(CLI::App& verb, Work& chosen);
 
 /// Draws a study's chart into the folder, as NAME.svg and NAME.png. Only the build with the window
@@ -25,6 +26,10 @@ void setChartWriter(ChartWriter writer);
 /// Writes NAME.csv and NAME.json into the folder, which is made if missing, and the chart where
 /// this build can draw; prints what was written.
 Status writeStudy(const Study& study, const std::filesystem::path& folder);
+
+/// Writes a text file, whole or not at all, into the folder, which is made if missing.
+Status
+writeText(const std::filesystem::path& folder, const std::string& name, const std::string& text);
 
 /// Prints the points of all classes together as a table, those on the front marked, then notes.
 void printStudy(const Study& study);

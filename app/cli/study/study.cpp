@@ -7,7 +7,7 @@
 namespace trixel::app {
 namespace {
 
-constexpr AddVerb kStudies[] = {addSpeedAccuracy, addAuto};
+constexpr AddVerb kStudies[] = {addSpeedAccuracy, addAuto, addSeams};
 
 } // namespace
 

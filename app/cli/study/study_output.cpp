@@ -17,7 +17,7 @@ ChartWriter& chartWriter()
     return writer;
 }
 
-Status writeText(const std::filesystem::path& path, const std::string& text)
+Status writeWhole(const std::filesystem::path& path, const std::string& text)
 {
     return commitFile(
         path,
@@ -46,12 +46,18 @@ void setChartWriter(ChartWriter writer)
     chartWriter() = std::move(writer);
 }
 
+Status
+writeText(const std::filesystem::path& folder, const std::string& name, const std::string& text)
+{
+    const Status made = makeFolder(folder);
+    return made ? writeWhole(folder / name, text) : made;
+}
+
 Status writeStudy(const Study& study, const std::filesystem::path& folder)
 {
     const std::filesystem::path base = folder / study.name;
-    Status status = makeFolder(folder);
-    status = status ? writeText(base.string() + ".csv", toCsv(study)) : status;
-    status = status ? writeText(base.string() + ".json", toJson(study) + '\n') : status;
+    Status status = writeText(folder, study.name + ".csv", toCsv(study));
+    status = status ? writeText(folder, study.name + ".json", toJson(study) + '\n') : status;
     if (!status) {
         return status;
     }

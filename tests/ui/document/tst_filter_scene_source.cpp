@@ -84,6 +84,18 @@ private slots:
         QVERIFY(!m_source->scene());
     }
 
+    void whoDiesHearsNothingMore()
+    {
+        int heard = 0;
+        auto who = std::make_unique<QObject>();
+        m_source->want(*who, true);
+        QTRY_VERIFY(m_source->scene());
+        connect(m_source.get(), &FilterSceneSource::changed, who.get(), [&heard] { ++heard; });
+        who.reset();
+        QVERIFY(!m_source->scene());
+        QCOMPARE(heard, 0);
+    }
+
     void followsPaintAndEqualsASceneBuiltAnew()
     {
         wantScene();

@@ -177,11 +177,11 @@ private slots:
     void nextPanelKeyWalksThroughThePanelsAndBack()
     {
         QSet<QWidget*> visited;
-        for (int k = 0; k < 5; ++k) {
+        do {
             visited += QApplication::focusWidget();
             press(Qt::Key_F6);
-        }
-        QVERIFY(visited.size() >= 4);
+        } while (!visited.contains(QApplication::focusWidget()));
+        QVERIFY(visited.size() >= 6);
         QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(&m_window->viewport()));
     }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "render/color_map.h"
+#include "ui/viewport/view_settings.h"
+
+#include <vector>
+
+namespace trixel::ui {
+
+/// How numbers become places on a colour scale: by their logarithm.
+class MapScale
+{
+public:
+    struct Tick
+    {
+        double value = 0;
+        QString text;
+    };
+
+    /// \param map  Condition or Error
+    static MapScale of(ViewMapKind map);
+
+    /// 0 at the lowest value of the scale, 1 at the highest; beyond them less or more. Zero is
+    /// infinitely low.
+    double position(double value) const;
+    render::Rgb color(double value) const { return render::mapColor(position(value)); }
+    const std::vector<Tick>& ticks() const { return m_ticks; }
+
+    /// A number of the map as people read it: "3.2 : 1", "0.034 %".
+    static QString text(ViewMapKind map, double value);
+
+private:
+    double m_low = 1;
+    double m_high = 10;
+    std::vector<Tick> m_ticks;
+};
+
+} // namespace trixel::ui

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/map_work.h"
+
+#include <QElapsedTimer>
+
+#include "core/study/view_map.h"
+#include "ui/viewport/map_scale.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <optional>
+
+namespace trixel::ui {
+
+namespace {
+
+/// Bands are made so large that each takes about so long.
+constexpr double kBandMs = 60;
+constexpr int kFirstBandQueries = 256;
+constexpr int kMostBandRows = 128;
+
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
+
+class CancelOnly final : public Progress
+{
+public:
+    explicit CancelOnly(const QPromise<MapBand>& promise)
+        : m_promise(promise)
+    {
+    }
+    bool report(double /*fraction*/) override { return !m_promise.isCanceled(); }
+
+private:
+    const QPromise<MapBand>& m_promise;
+};
+
+std::uint32_t opaque(render::Rgb color)
+{
+    return std::bit_cast<std::uint32_t>(
+        std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
+}
+
+/// A value of the texture as a colour of the screen.
+std::uint8_t shown(float value)
+{
+    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 1.0F) * 255 + 0.5F : 0);
+}
+
+/// What a run of queries comes to.
+struct Answers
+{
+    std::vector<std::uint32_t> colors;
+    std::vector<float> values; ///< empty for Filtered
+};
+
+/// Methods of the work, made once.
+class Evaluator
+{
+public:
+    explicit Evaluator(const MapWork& work)
+        : m_work(work)
+        , m_scale(MapScale::of(work.map))
+    {
+        if (work.map != ViewMapKind::Condition) {
+            m_method = makeMethod(work.method);
+        }
+        if (work.map == ViewMapKind::Error) {
+            m_exact = makeMethod({std::string(kExactMethod), std::nullopt});
+        }
+    }
+
+    Answers operator()(const FilterQueries& queries) const
+    {
+        return m_work.map == ViewMapKind::Filtered ? filtered(queries) : measured(queries);
+    }
+
+private:
+    Answers measured(const FilterQueries& queries) const
+    {
+        Answers answers;
+        answers.values.resize(queries.size());
+        if (m_work.map == ViewMapKind::Condition) {
+            footprintConditions(*m_work.surface, queries, Threads::all(), answers.values);
+        } else {
+            filterDifferences(*m_work.scene,
+                              *m_method,
+                              *m_exact,
+                              m_work.range,
+                              queries,
+                              Threads::all(),
+                              answers.values);
+        }
+        answers.colors.reserve(queries.size());
+        for (const float value : answers.values) {
+            answers.colors.push_back(opaque(m_scale.color(double{value})));
+        }
+        return answers;
+    }
+
+    Answers filtered(const FilterQueries& queries) const
+    {
+        const int channels = m_work.scene->channels();
+        ResultArrays results(queries.size(), channels);
+        filterParallel(*m_method, *m_work.scene, queries, results.results(), Threads::all());
+        // One or two channels are a grey.
+        const std::size_t green = channels >= 3 ? queries.size() : 0;
+        Answers answers;
+        answers.colors.reserve(queries.size());
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            answers.colors.push_back(opaque({shown(results.values[i]),
+                                             shown(results.values[i + green]),
+                                             shown(results.values[i + 2 * green])}));
+        }
+        return answers;
+    }
+
+    const MapWork& m_work;
+    MapScale m_scale;
+    std::unique_ptr<const FilterMethod> m_method;
+    std::unique_ptr<const FilterMethod> m_exact;
+};
+
+/// One pass over the picture.
+class Pass
+{
+public:
+    Pass(const MapWork& work, int step, ViewQueries queries)
+        : m_camera(work.camera)
+        , m_hasValues(work.map != ViewMapKind::Filtered)
+        , m_step(step)
+        , m_queries(std::move(queries))
+    {
+    }
+
+    bool isDone() const { return m_row >= m_camera.height; }
+
+    /// The next rows, of about so many queries.
+    MapBand next(const Evaluator& evaluate, std::size_t count)
+    {
+        const std::size_t begin = m_next;
+        const int firstRow = m_row;
+        do {
+            m_row = std::min(m_row + m_step, m_camera.height);
+            while (m_next < m_queries.size() && rowOf(m_next) < m_row) {
+                ++m_next;
+            }
+        } while (!isDone() && m_next - begin < count && m_row - firstRow < kMostBandRows);
+        MapBand band = emptyBand(firstRow);
+        const Answers answers =
+            evaluate(m_queries.queries.queries().subspan(begin, m_next - begin));
+        for (std::size_t i = begin; i < m_next; ++i) {
+            fill(band,
+                 i,
+                 answers.colors[i - begin],
+                 m_hasValues ? answers.values[i - begin] : kNoValue);
+        }
+        return band;
+    }
+
+private:
+    int rowOf(std::size_t query) const
+    {
+        return static_cast<int>(m_queries.pixel[query]) / m_camera.width;
+    }
+
+    MapBand emptyBand(int firstRow) const
+    {
+        MapBand band;
+        band.step = m_step;
+        band.firstRow = firstRow;
+        band.endsPass = isDone();
+        const std::size_t size =
+            static_cast<std::size_t>(m_row - firstRow) * static_cast<std::size_t>(m_camera.width);
+        band.pixels.resize(size);
+        if (m_hasValues) {
+            band.values.resize(size, kNoValue);
+        }
+        return band;
+    }
+
+    /// The block of a pixel, all in one colour.
+    void fill(MapBand& band, std::size_t query, std::uint32_t color, float value) const
+    {
+        const int x = static_cast<int>(m_queries.pixel[query]) % m_camera.width / m_step * m_step;
+        const int y = rowOf(query) / m_step * m_step;
+        const int right = std::min(x + m_step, m_camera.width);
+        const int below = std::min(y + m_step, m_row);
+        for (int row = y; row < below; ++row) {
+            const auto begin = static_cast<std::ptrdiff_t>(row - band.firstRow) * m_camera.width;
+            std::fill(band.pixels.begin() + begin + x, band.pixels.begin() + begin + right, color);
+            if (m_hasValues) {
+                std::fill(
+                    band.values.begin() + begin + x, band.values.begin() + begin + right, value);
+            }
+        }
+    }
+
+    const ViewCamera& m_camera;
+    bool m_hasValues;
+    int m_step;
+    ViewQueries m_queries;
+    std::size_t m_next = 0;
+    int m_row = 0;
+};
+
+} // namespace
+
+void computeMap(QPromise<MapBand>& promise, const MapWork& work)
+{
+    CancelOnly progress(promise);
+    const Evaluator evaluate(work);
+    double perBand = kFirstBandQueries;
+    for (const int step : kMapSteps) {
+        auto queries =
+            viewQueries(*work.surface, work.camera, PixelSubset{step, 0}, Threads::all(), progress);
+        if (!queries) {
+            return; // cancelled
+        }
+        Pass pass(work, step, std::move(*queries));
+        while (!pass.isDone()) {
+            if (promise.isCanceled()) {
+                return;
+            }
+            QElapsedTimer clock;
+            clock.start();
+            promise.addResult(pass.next(evaluate, static_cast<std::size_t>(perBand)));
+            const double ms = std::max(0.1, static_cast<double>(clock.nsecsElapsed()) / 1e6);
+            perBand = std::clamp(perBand * kBandMs / ms, 16.0, 4 * perBand);
+        }
+    }
+}
+
+} // namespace trixel::ui

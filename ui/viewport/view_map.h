@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include "ui/viewport/map_work.h"
+#include "ui/viewport/viewport.h"
+
+#include <optional>
+#include <vector>
+
+namespace trixel::ui {
+
+class Document;
+class FilterSceneSource;
+class MapLegend;
+class ViewSettings;
+
+/// A picture of numbers over the view, by `ViewOptions::map`: computed in the background for the
+/// camera as it stands, first coarsely, then finer until every pixel is its own; thrown away as
+/// soon as the camera, the texels or the method are others.
+class ViewMap : public QObject
+{
+    Q_OBJECT
+
+public:
+    ViewMap(const Document& document,
+            ViewSettings& settings,
+            FilterSceneSource& source,
+            Viewport& viewport,
+            QObject* parent = nullptr);
+    ~ViewMap() override;
+
+    /// The finest step that covers the whole view: 1 when every pixel is its own, 0 while there is
+    /// nothing yet.
+    int completeStep() const { return m_completeStep; }
+    bool isComplete() const { return m_completeStep == 1; }
+    /// The number shown at a position of the viewport; nothing off the surface and for maps that
+    /// are pictures.
+    std::optional<float> valueAt(QPointF position) const;
+    const MapLegend& legend() const { return *m_legend; }
+
+signals:
+    /// Part of the picture is there, or none any more.
+    void progressed();
+
+private:
+    void takeOptions();
+    void restart();
+    void begin();
+    void takeBand(const MapBand& band);
+    void drop();
+    void showState();
+    void showValue();
+    QString title() const;
+
+    const Document& m_document;
+    ViewSettings& m_settings;
+    FilterSceneSource& m_source;
+    Viewport& m_viewport;
+    MapLegend* m_legend; ///< a child of the viewport
+    QTimer m_pause;
+    QFutureWatcher<MapBand> m_watcher;
+    std::vector<float> m_values; ///< of every pixel of the view; empty when there are none
+    QSize m_size;
+    ViewMapKind m_map = ViewMapKind::None;
+    int m_completeStep = 0;
+    int m_step = 0; ///< of the pass that is under way
+    int m_rows = 0; ///< of it that are there
+    std::optional<QPointF> m_pointer;
+};
+
+} // namespace trixel::ui

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is laid over the surface: a computed picture, and a marked edge.
+#include "core/lattice/edge_transfer.h"
+#include "ui/viewport/viewport_private.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr glm::vec4 kEdgeColor{1.0F, 0.85F, 0.2F, 1.0F};
+constexpr float kEdgeWidth = 3.0F;
+
+glm::vec3 cornerOfEdge(const TriangleMesh& mesh, SurfaceEdge edge, double t)
+{
+    const glm::vec2 uv(fromEdge(edge.edge, {t, 0}));
+    return pointAt(mesh.corners(edge.face), uv.x, uv.y);
+}
+
+glm::dvec3 unitNormal(const TriangleMesh& mesh, FaceId face)
+{
+    const auto corners = mesh.corners(face);
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
+    const double length = glm::length(normal);
+    return length > 0 && std::isfinite(length) ? normal / length : glm::dvec3(0);
+}
+
+} // namespace
+
+void Viewport::setPictureRows(std::span<const std::uint32_t> pixels, QSize size, int firstRow)
+{
+    PictureOver& picture = d->picture;
+    const glm::ivec2 wanted(size.width(), size.height());
+    if (picture.size != wanted) {
+        picture.size = wanted;
+        picture.pixels.assign(
+            static_cast<std::size_t>(wanted.x) * static_cast<std::size_t>(wanted.y), 0);
+        picture.isNew = true;
+    }
+    const auto begin = static_cast<std::size_t>(firstRow) * static_cast<std::size_t>(wanted.x);
+    check(begin + pixels.size() <= picture.pixels.size(), "rows of the picture");
+    std::ranges::copy(pixels, picture.pixels.begin() + static_cast<std::ptrdiff_t>(begin));
+    const int endRow = firstRow + static_cast<int>(pixels.size()) / std::max(1, wanted.x);
+    picture.firstTouched = std::min(picture.firstTouched, firstRow);
+    picture.endTouched = std::max(picture.endTouched, endRow);
+    d->redraw();
+}
+
+void Viewport::clearPicture()
+{
+    if (d->picture.size != glm::ivec2(0)) {
+        d->picture = {};
+        d->redraw();
+    }
+}
+
+bool Viewport::hasPicture() const
+{
+    return d->picture.size != glm::ivec2(0);
+}
+
+/// Rows that are not on the card yet; the context is current.
+void Viewport::Private::sendPicture()
+{
+    render::PicturePass& shown = renderer->picture();
+    if (picture.size == glm::ivec2(0)) {
+        shown.clear();
+        return;
+    }
+    if (picture.isNew || shown.isEmpty()) {
+        shown.set(picture.pixels, picture.size);
+    } else if (picture.firstTouched < picture.endTouched) {
+        const auto width = static_cast<std::size_t>(picture.size.x);
+        const auto first = static_cast<std::size_t>(picture.firstTouched);
+        const auto rows = static_cast<std::size_t>(picture.endTouched - picture.firstTouched);
+        shown.setRows(std::span(picture.pixels).subspan(first * width, rows * width),
+                      picture.firstTouched);
+    }
+    picture.isNew = false;
+    picture.firstTouched = picture.size.y;
+    picture.endTouched = 0;
+}
+
+void Viewport::markEdge(std::optional<SurfaceEdge> edge)
+{
+    d->markedEdge = edge;
+    d->redraw();
+}
+
+void Viewport::frameEdge(SurfaceEdge edge)
+{
+    if (!d->shownSurface || indexOf(edge.face) >= d->shownSurface->mesh().faceCount()) {
+        return;
+    }
+    const TriangleMesh& mesh = d->shownSurface->mesh();
+    const auto across = d->shownSurface->adjacency().neighbour(edge.face, edge.edge);
+    glm::dvec3 normal = unitNormal(mesh, edge.face);
+    auto corners = mesh.corners(edge.face);
+    glm::vec3 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+    glm::vec3 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+    if (across) {
+        normal += unitNormal(mesh, across->face);
+        for (const glm::vec3& position : mesh.corners(across->face)) {
+            low = glm::min(low, position);
+            high = glm::max(high, position);
+        }
+    }
+    if (const double length = glm::length(normal); length > 1e-6) {
+        render::CameraPose pose = d->camera.pose();
+        pose.yaw = std::atan2(normal.x, normal.z);
+        pose.pitch = std::asin(std::clamp(normal.y / length, -1.0, 1.0));
+        d->camera.setPose(pose);
+    }
+    d->camera.frame(low, high);
+    d->cameraMoved();
+}
+
+/// A border edge is marked, too; nothing where the surface has no such face.
+std::optional<render::Polyline> Viewport::Private::edgeMark() const
+{
+    if (!markedEdge || !shownSurface ||
+        indexOf(markedEdge->face) >= shownSurface->mesh().faceCount()) {
+        return std::nullopt;
+    }
+    render::Polyline line;
+    line.points = {cornerOfEdge(shownSurface->mesh(), *markedEdge, 0),
+                   cornerOfEdge(shownSurface->mesh(), *markedEdge, 1)};
+    line.color = kEdgeColor;
+    line.width = kEdgeWidth;
+    line.hiddenOpacity = 0.35F;
+    return line;
+}
+
+} // namespace trixel::ui

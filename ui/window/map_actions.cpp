@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/map_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QSet>
+
+#include "ui/window/actions.h"
+
+namespace trixel::ui {
+
+namespace {
+
+QString fromView(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// The text with a mnemonic: its first letter or digit that none before has taken.
+QString withMnemonic(QString text, QSet<QChar>& taken)
+{
+    for (qsizetype k = 0; k < text.size(); ++k) {
+        const QChar letter = text[k].toLower();
+        if (letter.isLetterOrNumber() && !taken.contains(letter)) {
+            taken += letter;
+            return text.insert(k, '&');
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+MapActions::MapActions(ViewSettings& settings, QWidget& window)
+    : QObject(&window)
+    , m_settings(settings)
+{
+    makeMaps(window);
+    makeMethods(window);
+    connect(&settings, &ViewSettings::viewChanged, this, &MapActions::follow);
+    connect(&settings, &ViewSettings::methodChanged, this, &MapActions::follow);
+    follow();
+}
+
+void MapActions::makeMaps(QWidget& window)
+{
+    struct Choice
+    {
+        ViewMapKind map;
+        QString text;
+        QString toolTip;
+        int key;
+    };
+    const Choice choices[] = {
+        {ViewMapKind::None, tr("&None"), tr("Show the surface as it is"), Qt::Key_1},
+        {ViewMapKind::Filtered,
+         tr("&Filtered"),
+         tr("Show every pixel as the chosen filter method computes it"),
+         Qt::Key_2},
+        {ViewMapKind::Condition,
+         tr("&Condition"),
+         tr("Show how elongated each pixel's footprint is on the surface"),
+         Qt::Key_3},
+        {ViewMapKind::Error,
+         tr("&Error"),
+         tr("Show how far the chosen filter method is from the exact answer"),
+         Qt::Key_4},
+    };
+    auto* group = new QActionGroup(this);
+    for (const Choice& choice : choices) {
+        QAction* action = ActionMaker(window).toggle(
+            choice.text, choice.toolTip, QKeySequence(Qt::CTRL | choice.key));
+        group->addAction(action);
+        m_maps.emplace_back(action, choice.map);
+        connect(action, &QAction::triggered, this, [this, map = choice.map] {
+            ViewOptions view = m_settings.view();
+            view.map = map;
+            m_settings.setView(view);
+        });
+    }
+}
+
+void MapActions::makeMethods(QWidget& window)
+{
+    auto* group = new QActionGroup(this);
+    QSet<QChar> taken;
+    for (const MethodEntry& entry : filterMethods()) {
+        QAction* action = ActionMaker(window).toggle(withMnemonic(fromView(entry.title), taken),
+                                                     fromView(entry.about));
+        group->addAction(action);
+        m_methods.emplace_back(action, std::string(entry.name));
+        connect(action, &QAction::triggered, this, [this, name = std::string(entry.name)] {
+            m_settings.setMethod({name, std::nullopt});
+        });
+    }
+}
+
+void MapActions::follow()
+{
+    for (const auto& [action, map] : m_maps) {
+        action->setChecked(m_settings.view().map == map);
+    }
+    for (const auto& [action, name] : m_methods) {
+        action->setChecked(m_settings.method().name == name);
+    }
+}
+
+void MapActions::fillMenu(QMenu& menu)
+{
+    QMenu* maps = menu.addMenu(tr("&Map"));
+    for (const auto& [action, map] : m_maps) {
+        maps->addAction(action);
+    }
+    QMenu* methods = menu.addMenu(tr("Filte&r Method"));
+    for (const auto& [action, name] : m_methods) {
+        methods->addAction(action);
+    }
+}
+
+} // namespace trixel::ui
