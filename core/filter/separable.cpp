@@ -19,8 +19,12 @@ constexpr double kCut = 2.5;
 constexpr double kNarrowSigma = 1.0;
 /// Least standard deviation in texels of the level: narrower ones miss rows.
 constexpr double kLeastSigma = 0.5;
+/// Most taps of a box: a longer one is read on a coarser level. Beyond the face each is a walk of
+/// its own, so that more would not pay.
+constexpr double kMostBoxTaps = 1024;
+static_assert(kMostBoxTaps <= kMostTaps);
 /// Most weights along an axis.
-constexpr int kMostWeights = 512;
+constexpr int kMostWeights = 256;
 /// Columns lie half a texel apart, rows a whole one.
 constexpr double kColumnsPerTexel = 2;
 
@@ -116,7 +120,7 @@ LevelBox levelBox(const RowBox& box, Level level, Level base)
 /// A box of faces at the coarsest level may still take too many taps: then its longer side is cut.
 LevelBox cutToMostTaps(LevelBox box)
 {
-    while (box.taps() > kMostTaps ||
+    while (box.taps() > kMostBoxTaps ||
            LevelBox::reach(std::max(box.columns, box.rows)) > kMostWeights) {
         double& longer = box.columns > box.rows ? box.columns : box.rows;
         longer *= 0.9;
@@ -264,7 +268,7 @@ private:
         const Level base = scene.level(face);
         Level level =
             nearestLevel(scene, face, std::floor(levelOfEdge(ellipse, narrow / kNarrowSigma)));
-        while (level > Level(0) && levelBox(box, level, base).taps() > kMostTaps) {
+        while (level > Level(0) && levelBox(box, level, base).taps() > kMostBoxTaps) {
             level = level.coarser();
         }
         return level;

@@ -72,6 +72,28 @@ TEST(RectilinearBilinear, keepsAnAffineTextureEverywhereInAFlatPatch)
     }
 }
 
+TEST(RectilinearBilinear, doesNotReadWhatHasNoWeight)
+{
+    // On a column exactly: the texels to its right have weight 0 and are not numbers.
+    TriangleMesh mesh = flatPatch(1);
+    TexelStore texels =
+        filledStore(mesh, FaceMap<Level>(mesh.faceCount(), Level(3)), constantContent(0.5F));
+    const TestScene clean = makeScene(mesh, texels);
+    const RowReader reader(clean.filter, {faceId(0), {0.25, 0.25}}, Level(3), 0);
+    const float* first = clean.filter.mips().texels(faceId(0), Level(3)).values;
+    for (const int row : {1, 2}) {
+        const auto index =
+            static_cast<std::size_t>(reader.texelInside({7, row}) - first) / kGroupChannels;
+        const float nan = std::nanf("");
+        std::memcpy(&texels.writable(faceId(0))[index * sizeof nan], &nan, sizeof nan);
+    }
+    const TestScene spoiled = makeScene(std::move(mesh), std::move(texels));
+    TexelSum sum;
+    // 2u + v = 6/8 is column 6, v = 2/8 lies between rows 1 and 2.
+    addRectilinearBilinear(spoiled.filter, {faceId(0), {0.25, 0.25}}, Level(3), 0, 1, sum);
+    EXPECT_EQ(sum.channels[0], 0.5);
+}
+
 TEST(RectilinearBilinear, hasNoJumpsInsideAFace)
 {
     const TestScene scene = makeScene(flatPatch(1), Level(3), noiseContent(2));
@@ -91,7 +113,7 @@ TEST(RectilinearBilinear, hasNoJumpsInsideAFace)
 TEST(Trilinear, passesThroughTheLevelsWithoutAJump)
 {
     const TestScene scene = makeScene(flatPatch(2), Level(5), noiseContent(2));
-    for (const double level : {0.0, 1.0, 2.0, 4.0, 5.0}) {
+    for (const double level : {0.0, 0.5, 1.0, 2.0, 3.5, 4.0, 5.0}) {
         std::array<double, 3> values{};
         for (int k = 0; k < 3; ++k) {
             TexelSum sum;

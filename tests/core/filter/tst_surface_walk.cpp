@@ -72,6 +72,21 @@ TEST(SurfaceWalk, theWayBackLeadsHome)
     }
 }
 
+TEST(SurfaceWalk, alongAnEdgeItGoesOnWhicheverFaceRoundingPutsItIn)
+{
+    const TriangleMesh mesh = closedIrregular(7, 3);
+    const FilterSurface surface = surfaceOf(mesh);
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+        for (const LocalEdge edge : kLocalEdges) {
+            // Leaves by the edge at once, and hardly.
+            const SurfacePlace from{faceId(f), fromEdge(edge, {0.25, 0})};
+            const SurfacePlace to{faceId(f), fromEdge(edge, {0.75, -1e-15})};
+            const SurfaceWalk walk = walkStraight(surface, from, to.uv - from.uv);
+            EXPECT_LT(glm::length(worldOf(mesh, walk.end) - worldOf(mesh, to)), 1e-5);
+        }
+    }
+}
+
 TEST(SurfaceWalk, stopsAtABorderOnTheLine)
 {
     const TriangleMesh mesh = flatPatch(1);
