@@ -247,6 +247,27 @@ TEST_P(HostileQueries, aWidthThatIsNoNumberCountsAsTheWidest)
     EXPECT_EQ(results.values[0], results.values[1]);
 }
 
+TEST_P(HostileQueries, aFootprintThatCostsTooMuchIsRefusedOrReadCoarser)
+{
+    // 302 million texels, stored as one.
+    const TriangleMesh mesh = flatPatch(3);
+    const TexelFormat format{TexelType::Float, 1, std::nullopt};
+    const float value = 0.25F;
+    TexelStore texels(static_cast<std::uint32_t>(mesh.faceCount()),
+                      format,
+                      Level(12),
+                      std::as_bytes(std::span(&value, 1)));
+    const TestScene scene = makeScene(mesh, std::move(texels));
+    QueryArrays queries;
+    queries.add(faceId(8), {0.2F, 0.2F}, {1e30F, 0}, {0, 1e30F});
+    const ResultArrays results =
+        filtered(*standardMethod(*findMethod(GetParam())), scene.filter, queries);
+    EXPECT_FLOAT_EQ(results.values[0], value); // of the face's average, where refused
+    EXPECT_TRUE(results.taps[0] <= kMostTaps ||
+                (results.taps[0] == kRefusedTaps && readsAllOfTheBase(GetParam())))
+        << results.taps[0];
+}
+
 /// Noise on a large flat patch with NaN in one texel of each level-5 face of its far corner, or in
 /// a whole face stored as one value.
 FilterScene sceneWithNaN(bool constantFace)
