@@ -16,6 +16,8 @@ namespace trixel::app {
 void addSpeedAccuracy(CLI::App& verb, Work& chosen);
 void addSeams(CLI::App& verb, Work& chosen);
 void addAuto(CLI::App& verb, Work& chosen);
+/// paint-projection, reduction, storage and subdivision.
+void addSmallStudies(CLI::App& verb, Work& chosen);
 
 /// Draws a study's chart into the folder, as NAME.svg and NAME.png. Only the build with the window
 /// can; see `setChartWriter`.
