@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/filter/exact_kernel.h"
 #include "tests/core/filter/golden_queries.h"
 #include "tests/core/filter/irregular_mesh.h"
 
@@ -138,35 +139,51 @@ TEST(Exact, agreesWithTheSumOverEveryTexelOfAFlatMesh)
 
 TEST(Exact, findsTheNearestTexelWhereNoneLiesUnderTheFootprint)
 {
-    // One texel amid fine faces: the floor there is far below its size.
-    const TriangleMesh mesh = flatMesh(3, 1);
-    FaceMap<Level> levels(static_cast<std::uint32_t>(mesh.faceCount()), Level(5));
-    levels[faceId(8)] = Level(0);
-    const FilterScene scene = sceneOf(surfaceOf(mesh), storeOf(levels, noise(5)));
-    const Query query{faceId(8), {0.34F, 0.4F}, {0, 0}, {0, 0}};
-    const Answer answer = ask(*exact(), scene, query);
-    const float* texel = scene.mips().texels(faceId(8), Level(0)).values;
-    for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR(answer.value[c], static_cast<double>(texel[c]), 1e-6);
+    // A face of four texels amid finer ones: the floor there is far below a texel, and the nearest
+    // lies up to hundreds of standard deviations away, where exp(-q/2) is long 0.
+    for (const int finer : {5, 10}) {
+        const TriangleMesh mesh = flatMesh(3, 1);
+        FaceMap<Level> levels(mesh.faceCount(), Level(finer));
+        levels[faceId(8)] = Level(1);
+        const std::array<float, 3> around = {9, 9, 9};
+        const TexelFormat format{TexelType::Float, 3, std::nullopt};
+        TexelStore store(format, levels, std::as_bytes(std::span(around)));
+        const std::array<float, 12> four = {1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4};
+        store.exchange(faceId(8), FaceTexels::full(Level(1), 12, std::as_bytes(std::span(four))));
+        const FilterScene scene = sceneOf(surfaceOf(mesh), store);
+        for (std::uint32_t t = 0; t < 4; ++t) {
+            const auto index = static_cast<TexelIndex>(t);
+            const glm::dvec2 near = centroid(Level(1), texelAt(Level(1), index));
+            const glm::dvec2 uv = near + 0.2 * (glm::dvec2(1.0 / 3) - near) + glm::dvec2(0.02, 0);
+            const Answer answer = ask(*exact(), scene, {faceId(8), glm::vec2(uv), {}, {}});
+            EXPECT_NEAR(answer.value[0], t + 1.0, 1e-5) << "level " << finer;
+        }
+        // Nearer to an edge than to the face's own centroids.
+        for (const glm::vec2 uv : {glm::vec2(0.42F, 0.06F), glm::vec2(0.06F, 0.42F)}) {
+            const Answer answer = ask(*exact(), scene, {faceId(8), uv, {}, {}});
+            EXPECT_NEAR(answer.value[0], 9.0, 1e-5) << "level " << finer;
+        }
     }
 }
 
-TEST(Exact, findsAFarTexelAmidTheFinestFaces)
+TEST(ExactKernel, weighsWhatIsNearThoughItsRowBeginsWhereWeightsVanish)
 {
-    // Hundreds of standard deviations away, where exp(-q/2) is long 0.
-    const TriangleMesh mesh = flatMesh(3, 1);
-    FaceMap<Level> levels(mesh.faceCount(), Level(10));
-    levels[faceId(8)] = Level(0);
-    const std::array<float, 3> one = {1, 1, 1};
-    const TexelFormat format{TexelType::Float, 3, std::nullopt};
-    TexelStore store(format, levels, std::as_bytes(std::span(one)));
-    const std::array<float, 3> two = {2, 2, 2};
-    store.exchange(faceId(8), FaceTexels::constant(Level(0), std::as_bytes(std::span(two))));
-    const FilterScene scene = sceneOf(surfaceOf(mesh), store);
-    for (const glm::vec2 uv : {glm::vec2(0.25F, 0.35F), glm::vec2(0.4F, 0.25F)}) {
-        const Answer answer = ask(*exact(), scene, {faceId(8), uv, {0, 0}, {0, 0}});
-        EXPECT_EQ(answer.value[0], 2.0);
+    // 64 columns one standard deviation apart, 50 below the centre, nearest at column 60: the first
+    // weight is exp(-1898).
+    const Level level(6);
+    const std::vector<float> ones(std::size_t{level.texelCount()} * kGroupChannels, 1.0F);
+    HalfLattice lattice(TexelHalf::Lower, level, {0, 0}, {64, 0}, {0, -64e3});
+    lattice.origin = {-60, -50};
+    const double offset = 48.0 * 48.0;
+    ExactSums sums;
+    addExactly({ones.data(), kGroupChannels}, lattice, 96, offset, 1, sums);
+    long double expected = 0;
+    for (int k = 0; k < 64; ++k) {
+        expected += std::exp((offset - 2500.0L - (k - 60.0L) * (k - 60.0L)) / 2);
     }
+    EXPECT_EQ(sums.taps, 64U);
+    EXPECT_NEAR(sums.weight / static_cast<double>(expected), 1.0, 1e-12);
+    EXPECT_NEAR(sums.values[0] / static_cast<double>(expected), 1.0, 1e-12);
 }
 
 TEST(Exact, keepsNaNsBeyondTheFootprintOut)

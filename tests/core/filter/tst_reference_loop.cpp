@@ -82,3 +82,16 @@ TEST(ReferenceLoop, givesANumberForEveryFootprint)
         }
     }
 }
+
+TEST(ReferenceLoop, takesAHugeFootprintAsTheWidest)
+{
+    const FilterScene scene = goldenScene();
+    const auto along = [&](float length) {
+        return ask(*referenceLoop(), scene, {faceId(60), {0.3F, 0.3F}, {length, 0}, {0, length}});
+    };
+    const Answer widest = along(1024);
+    EXPECT_GT(widest.taps, 1U);
+    for (const float length : {1e6F, 1e20F, 3e38F}) {
+        EXPECT_EQ(along(length).value, widest.value) << length;
+    }
+}
