@@ -127,7 +127,6 @@ Result<Study> studyPaintProjection(StudyWatcher& watcher)
         }
         study.notes.push_back(describe(series, faults));
     }
-    markFront(study.points);
     return study;
 }
 

@@ -142,7 +142,6 @@ Result<Study> studyReduction(StudyWatcher& watcher)
             texels = std::move(next);
         }
     }
-    markFront(study.points);
     return study;
 }
 

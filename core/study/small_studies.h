@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Four choices of the program, each measured against the one it was made instead of. They need no
-// asset and take a second or two. Points reach the watcher as they are measured; all fail only when
+// asset and take a second or two. Only `studySubdivision` marks a front: in the others points of
+// one cost stand side by side. Points reach the watcher as they are measured; all fail only when
 // cancelled unless they say otherwise.
 #pragma once
 
@@ -23,7 +24,8 @@ Result<Study> studyPaintProjection(StudyWatcher& watcher);
 Result<Study> studyReduction(StudyWatcher& watcher);
 
 /// The natural tile stored as uint8, uint16, half and float: the error of its texels, of its stored
-/// mips one to six levels down, and of filtering it, against doubles. Cost: bytes a texel. Notes:
+/// mips one to six levels down against doubles, and of filtering it against filtering the floats.
+/// Cost: bytes a texel. Notes:
 /// the mean drift of uint8 mips.
 Result<Study> studyStorage(StudyWatcher& watcher);
 
