@@ -10,14 +10,14 @@ namespace trixel {
 MethodEntry pointMethod();
 MethodEntry nearestLevelMethod();
 MethodEntry rectilinearBilinearMethod();
-MethodEntry trilinearMethod();
 MethodEntry latticeLinearMethod();
+MethodEntry trilinearMethod();
 MethodEntry probesOneLevelMethod();
 MethodEntry probesTwoLevelsMethod();
-MethodEntry referenceLoopMethod();
-MethodEntry separableMethod();
 MethodEntry equalProbesMethod();
 MethodEntry stochasticMethod();
+MethodEntry separableMethod();
+MethodEntry referenceLoopMethod();
 MethodEntry ewaMethod();
 MethodEntry ewaBlendedMethod();
 MethodEntry ewaBaseMethod();

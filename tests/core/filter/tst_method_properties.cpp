@@ -37,24 +37,6 @@ struct Deviation
 /// this (fraction of the value range).
 constexpr double kInTheMean = 0.01;
 
-/// Every claim, whichever it is, must be what was measured.
-void expectClaim(Claim claim, const Deviation& deviation, double bound)
-{
-    ASSERT_GT(deviation.count, 0U);
-    switch (claim) {
-    case Claim::Yes:
-        EXPECT_LE(deviation.worst, bound) << "claimed";
-        break;
-    case Claim::No:
-        EXPECT_GT(deviation.worst, bound) << "not claimed, but it holds";
-        break;
-    case Claim::InTheMean:
-        EXPECT_LE(deviation.rms(), kInTheMean) << "claimed in the mean";
-        EXPECT_GT(deviation.worst, bound) << "claimed in the mean only, but it holds";
-        break;
-    }
-}
-
 void compare(const ResultArrays& a, const ResultArrays& b, Deviation& deviation)
 {
     for (std::size_t k = 0; k < a.values.size(); ++k) {
@@ -80,22 +62,50 @@ const std::vector<TestScene>& irregularScenes()
 class MethodProperties : public testing::TestWithParam<std::string>
 {
 protected:
-    const MethodEntry& entry() const { return *findMethod(GetParam()); }
+    MethodChoice choice() const { return *parseMethod(GetParam()); }
+    const MethodEntry& entry() const { return *findMethod(choice().name); }
+    const MethodClaims& claims() const { return entry().claims; }
 
     /// With the standard parameter, or the most where the claim is about the mean.
     std::unique_ptr<const FilterMethod> method(Claim claim) const
     {
         if (claim == Claim::InTheMean) {
-            return makeMethod({GetParam(), entry().parameter->most});
+            return makeMethod({choice().name, entry().parameter->most});
         }
-        return standardMethod(entry());
+        return makeMethod(choice());
+    }
+
+    /// So many queries, or an eighth where each is that much work.
+    static std::size_t queriesFor(Claim claim, std::size_t count)
+    {
+        return claim == Claim::InTheMean ? count / 8 : count;
+    }
+
+    /// The claim, whichever it is, must be what was measured. With another parameter than the
+    /// standard one a method may well keep what it does not claim.
+    void expectClaim(Claim claim, const Deviation& deviation, double bound) const
+    {
+        ASSERT_GT(deviation.count, 0U);
+        switch (claim) {
+        case Claim::Yes:
+            EXPECT_LE(deviation.worst, bound) << "claimed";
+            break;
+        case Claim::No:
+            EXPECT_TRUE(deviation.worst > bound || choice().parameter)
+                << "not claimed, but " << deviation.worst << " is within " << bound;
+            break;
+        case Claim::InTheMean:
+            EXPECT_LE(deviation.rms(), kInTheMean) << "claimed in the mean";
+            EXPECT_GT(deviation.worst, bound) << "claimed in the mean only, but it holds";
+            break;
+        }
     }
 };
 
 TEST_P(MethodProperties, constantKept)
 {
     Deviation deviation; // fraction of the value
-    const auto filter = method(entry().claims.constantKept);
+    const auto filter = method(claims().constantKept);
     for (const float value : {1.0F, 1.0F / 3, -123456.7F, 3e-20F}) {
         TriangleMesh mesh = closedIrregular(5, 1);
         const auto levels = mixedLevels(mesh.faceCount(), 0, 6, 1);
@@ -105,7 +115,7 @@ TEST_P(MethodProperties, constantKept)
             deviation.add(double{result} / double{value} - 1);
         }
     }
-    expectClaim(entry().claims.constantKept, deviation, 1e-6);
+    expectClaim(claims().constantKept, deviation, 1e-6);
 }
 
 TEST_P(MethodProperties, affineKeptAtTheCentre)
@@ -116,7 +126,7 @@ TEST_P(MethodProperties, affineKeptAtTheCentre)
         makeScene(flatPatch(n), Level(5), affineContent({1.0 / 12, 1.0 / 12, 0}, 0));
     QueryArrays queries;
     Dice dice(7);
-    while (queries.size() < 400) {
+    while (queries.size() < queriesFor(claims().affineKept, 400)) {
         const FaceId face = faceId(2 * n * 3 + dice.below(4 * n));
         const glm::dvec2 uv = randomPoint(dice);
         const std::size_t column = indexOf(face) / 2 % n;
@@ -125,13 +135,15 @@ TEST_P(MethodProperties, affineKeptAtTheCentre)
         }
     }
     Deviation deviation;
-    const ResultArrays results =
-        filtered(*method(entry().claims.affineKept), scene.filter, queries);
+    const ResultArrays results = filtered(*method(claims().affineKept), scene.filter, queries);
     for (std::size_t k = 0; k < queries.size(); ++k) {
         const glm::dvec3 p = positionOf(scene, queries, k);
         deviation.add(double{results.values[k]} - (p.x + p.y) / 12);
     }
-    expectClaim(entry().claims.affineKept, deviation, 1e-5);
+    // A Gaussian narrower than a texel of its level is sampled too coarsely for that: ewa with a
+    // parameter below 1.
+    const bool narrow = choice().name.starts_with("ewa") && choice().parameter.value_or(1) < 1;
+    expectClaim(claims().affineKept, deviation, narrow ? 5e-4 : 1e-5);
 }
 
 /// Points that are on no texel's border and footprints that rotate without rounding.
@@ -159,28 +171,29 @@ QueryArrays exactlyRotatable(const QueryArrays& queries)
 TEST_P(MethodProperties, rotationOfVertexOrderChangesNothing)
 {
     Deviation deviation;
-    const auto filter = method(entry().claims.rotationFree);
+    const auto filter = method(claims().rotationFree);
     for (const TestScene& scene : irregularScenes()) {
         const RotatedScene rotated = rotatedScene(scene, 4);
-        const QueryArrays queries = exactlyRotatable(randomQueries(scene, 60, 3));
+        const QueryArrays queries =
+            exactlyRotatable(randomQueries(scene, queriesFor(claims().rotationFree, 60), 3));
         compare(filtered(*filter, scene.filter, queries),
                 filtered(*filter, rotated.scene.filter, rotated.rotated(queries)),
                 deviation);
     }
-    expectClaim(entry().claims.rotationFree, deviation, 1e-6);
+    expectClaim(claims().rotationFree, deviation, 1e-6);
 }
 
 TEST_P(MethodProperties, sameFromBothSidesOfAnEdge)
 {
     Deviation deviation;
-    const auto filter = method(entry().claims.edgeContinuous);
+    const auto filter = method(claims().edgeContinuous);
     for (const TestScene& scene : irregularScenes()) {
-        const EdgePairs pairs = edgePairs(scene, 100, 5);
+        const EdgePairs pairs = edgePairs(scene, queriesFor(claims().edgeContinuous, 100), 5);
         compare(filtered(*filter, scene.filter, pairs.here),
                 filtered(*filter, scene.filter, pairs.there),
                 deviation);
     }
-    expectClaim(entry().claims.edgeContinuous, deviation, 1e-5);
+    expectClaim(claims().edgeContinuous, deviation, 1e-5);
 }
 
 TEST_P(MethodProperties, sameForEveryPairOfVectorsOfAnEllipse)
@@ -217,15 +230,15 @@ TEST_P(MethodProperties, sameForEveryPairOfVectorsOfAnEllipse)
         return result;
     };
     Deviation deviation;
-    const auto filter = method(entry().claims.footprintFree);
+    const auto filter = method(claims().footprintFree);
     for (const TestScene& scene : irregularScenes()) {
-        const QueryArrays queries = randomQueries(scene, 40, 6);
+        const QueryArrays queries = randomQueries(scene, queriesFor(claims().footprintFree, 40), 6);
         const ResultArrays results = filtered(*filter, scene.filter, queries);
         for (const Change change : {swapped, negated, turned}) {
             compare(results, filtered(*filter, scene.filter, change(queries)), deviation);
         }
     }
-    expectClaim(entry().claims.footprintFree, deviation, 1e-5);
+    expectClaim(claims().footprintFree, deviation, 1e-5);
 }
 
 /// Follows a result over a sweep of one number and finds the largest change over a step of 0.02 %:
@@ -337,7 +350,7 @@ TEST_P(MethodProperties, noPoppingWhenTheFootprintChanges)
 {
     // On the finest faces, where there are most levels to pop between.
     Deviation deviation;
-    const auto filter = method(entry().claims.levelContinuous);
+    const auto filter = method(claims().levelContinuous);
     Dice dice(8);
     for (const std::size_t valence : {3U, 5U, 8U}) {
         const TestScene& scene = irregularScenes()[valence - 3];
@@ -345,21 +358,30 @@ TEST_P(MethodProperties, noPoppingWhenTheFootprintChanges)
         for (std::uint32_t f = 0; f < scene.mesh.faceCount(); ++f) {
             face = scene.filter.level(faceId(f)) > scene.filter.level(face) ? faceId(f) : face;
         }
-        const bool isRandom = entry().claims.levelContinuous == Claim::InTheMean;
+        const bool isRandom = claims().levelContinuous == Claim::InTheMean;
         PoppingSweep sweep(*filter, isRandom, scene, face, randomPoint(dice));
         sweep.overWidths(1, deviation);
         sweep.overWidths(1.5, deviation);
         sweep.overWidths(6, deviation);
         sweep.overAnisotropies(1.0 / 32, deviation);
     }
-    expectClaim(entry().claims.levelContinuous, deviation, 1e-3);
+    expectClaim(claims().levelContinuous, deviation, 1e-3);
 }
 
+/// Every method, and with it every parameter that the chart measures; where a claim is about the
+/// mean, the parameter is chosen by the test.
 std::vector<std::string> allMethods()
 {
     std::vector<std::string> names;
     for (const MethodEntry& method : filterMethods()) {
-        names.emplace_back(method.name);
+        const std::string name(method.name);
+        names.push_back(name);
+        if (!method.parameter || method.claims.footprintFree == Claim::InTheMean) {
+            continue;
+        }
+        for (const double value : method.parameter->curve) {
+            names.push_back(toText({name, value}));
+        }
     }
     return names;
 }
@@ -370,6 +392,8 @@ INSTANTIATE_TEST_SUITE_P(All,
                          [](const testing::TestParamInfo<std::string>& method) {
                              std::string name = method.param;
                              std::ranges::replace(name, '-', '_');
+                             std::ranges::replace(name, ':', '_');
+                             std::ranges::replace(name, '.', '_');
                              return name;
                          });
 
