@@ -86,6 +86,9 @@ protected:
     void expectClaim(Claim claim, const Deviation& deviation, double bound) const
     {
         ASSERT_GT(deviation.count, 0U);
+        // Figures for those who ask with --gtest_output=xml:FILE.
+        RecordProperty("worst", std::to_string(deviation.worst * 1e6) + " ppm");
+        RecordProperty("rms", std::to_string(deviation.rms() * 1e6) + " ppm");
         switch (claim) {
         case Claim::Yes:
             EXPECT_LE(deviation.worst, bound) << "claimed";
