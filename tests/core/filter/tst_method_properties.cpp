@@ -371,6 +371,58 @@ TEST_P(MethodProperties, noPoppingWhenTheFootprintChanges)
     expectClaim(claims().levelContinuous, deviation, 1e-3);
 }
 
+/// Noise in bytes on a flat patch of 512 texels a side, all of it one value on average.
+const TestScene& byteNoise()
+{
+    static const TestScene kScene = [] {
+        TriangleMesh mesh = flatPatch(4);
+        const FaceMap<Level> levels(mesh.faceCount(), Level(7));
+        const TexelFormat bytes{TexelType::UInt8, 1, std::nullopt};
+        const std::byte zero{};
+        TexelStore texels(bytes, levels, std::span(&zero, 1));
+        for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+            std::uint64_t k = f * 65536;
+            for (std::byte& texel : texels.writable(faceId(f))) {
+                texel = static_cast<std::byte>(mixed(k++) & 0xFFU);
+            }
+        }
+        return makeScene(std::move(mesh), std::move(texels));
+    }();
+    return kScene;
+}
+
+/// 64 texels wide, about the middle of the patch; fewer are the first of more.
+QueryArrays wideQueries(std::size_t count)
+{
+    Dice dice(5);
+    QueryArrays queries;
+    while (queries.size() < count) {
+        const FaceId face = faceId(10 + dice.below(2) + 8 * dice.below(2));
+        add(queries, face, randomPoint(dice), planeFootprint(FaceShape(), 0.5, 1, 0));
+    }
+    return queries;
+}
+
+TEST_P(MethodProperties, theMeanOfBytesDoesNotDrift)
+{
+    // On average within half a unit of the last place: rounding once a level would lose one to two.
+    if (choice().name == "point") {
+        return; // has no mean
+    }
+    const TestScene& scene = byteNoise();
+    constexpr std::size_t kCount = 120;
+    static const ResultArrays kExact =
+        filtered(*makeMethod({"exact", std::nullopt}), scene.filter, wideQueries(kCount));
+    const std::size_t count = queriesFor(claims().footprintFree, kCount);
+    const auto filter = method(claims().footprintFree);
+    const ResultArrays results = filtered(*filter, scene.filter, wideQueries(count));
+    double drift = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        drift += double{results.values[k]} - double{kExact.values[k]};
+    }
+    EXPECT_NEAR(255 * drift / static_cast<double>(count), 0, 0.5);
+}
+
 /// Every method, and with it every parameter that the chart measures; where a claim is about the
 /// mean, the parameter is chosen by the test.
 std::vector<std::string> allMethods()
