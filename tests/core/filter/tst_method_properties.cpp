@@ -59,6 +59,35 @@ const std::vector<TestScene>& irregularScenes()
     return kScenes;
 }
 
+/// The same with the vertices of every face in another order.
+const std::vector<RotatedScene>& rotatedScenes()
+{
+    static const std::vector<RotatedScene> kScenes = [] {
+        std::vector<RotatedScene> scenes;
+        for (const TestScene& scene : irregularScenes()) {
+            scenes.push_back(rotatedScene(scene, 4));
+        }
+        return scenes;
+    }();
+    return kScenes;
+}
+
+constexpr std::array<float, 4> kConstants = {1.0F, 1.0F / 3, -123456.7F, 3e-20F};
+
+const std::vector<TestScene>& constantScenes()
+{
+    static const std::vector<TestScene> kScenes = [] {
+        std::vector<TestScene> scenes;
+        for (const float value : kConstants) {
+            TriangleMesh mesh = closedIrregular(5, 1);
+            const auto levels = mixedLevels(mesh.faceCount(), 0, 6, 1);
+            scenes.push_back(makeScene(std::move(mesh), levels, constantContent(value)));
+        }
+        return scenes;
+    }();
+    return kScenes;
+}
+
 class MethodProperties : public testing::TestWithParam<std::string>
 {
 protected:
@@ -109,10 +138,9 @@ TEST_P(MethodProperties, constantKept)
 {
     Deviation deviation; // fraction of the value
     const auto filter = method(claims().constantKept);
-    for (const float value : {1.0F, 1.0F / 3, -123456.7F, 3e-20F}) {
-        TriangleMesh mesh = closedIrregular(5, 1);
-        const auto levels = mixedLevels(mesh.faceCount(), 0, 6, 1);
-        const TestScene scene = makeScene(std::move(mesh), levels, constantContent(value));
+    for (std::size_t k = 0; k < kConstants.size(); ++k) {
+        const float value = kConstants[k];
+        const TestScene& scene = constantScenes()[k];
         const ResultArrays results = filtered(*filter, scene.filter, randomQueries(scene, 300, 2));
         for (const float result : results.values) {
             deviation.add(double{result} / double{value} - 1);
@@ -125,7 +153,7 @@ TEST_P(MethodProperties, affineKeptAtTheCentre)
 {
     // A gradient of 1 over the width of the patch; footprints stay off its border.
     const std::uint32_t n = 8;
-    const TestScene scene =
+    static const TestScene scene =
         makeScene(flatPatch(n), Level(5), affineContent({1.0 / 12, 1.0 / 12, 0}, 0));
     QueryArrays queries;
     Dice dice(7);
@@ -175,8 +203,9 @@ TEST_P(MethodProperties, rotationOfVertexOrderChangesNothing)
 {
     Deviation deviation;
     const auto filter = method(claims().rotationFree);
-    for (const TestScene& scene : irregularScenes()) {
-        const RotatedScene rotated = rotatedScene(scene, 4);
+    for (std::size_t k = 0; k < irregularScenes().size(); ++k) {
+        const TestScene& scene = irregularScenes()[k];
+        const RotatedScene& rotated = rotatedScenes()[k];
         const QueryArrays queries =
             exactlyRotatable(randomQueries(scene, queriesFor(claims().rotationFree, 60), 3));
         compare(filtered(*filter, scene.filter, queries),
