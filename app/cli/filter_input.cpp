@@ -12,27 +12,30 @@
 namespace trixel::app {
 namespace {
 
-using Scene = std::shared_ptr<const FilterScene>;
-
-Result<Scene> sceneOf(FilterSurface surface, const TexelStore& texels, Progress& progress)
+Result<FilterInput> sceneOf(FilterSurface surface,
+                            const TexelStore& texels,
+                            std::optional<TriangleMesh> mesh,
+                            Progress& progress)
 {
     return FilterScene::build(std::make_shared<const FilterSurface>(std::move(surface)),
                               texels,
                               Threads::all(),
                               progress)
-        .map([](FilterScene&& scene) {
-            return std::make_shared<const FilterScene>(std::move(scene));
+        .map([&](FilterScene&& scene) {
+            return FilterInput{std::make_shared<const FilterScene>(std::move(scene)),
+                               std::move(mesh)};
         });
 }
 
-Result<Scene> sceneOf(const Project& project, Progress& progress)
+Result<FilterInput> sceneOf(const Project& project, Progress& progress)
 {
     return sceneOf(FilterSurface::fromMesh(project.surface->mesh(), project.surface->adjacency()),
                    project.texels,
+                   project.surface->mesh(),
                    progress);
 }
 
-Result<Scene> sceneOfMesh(const std::filesystem::path& path, Progress& progress)
+Result<FilterInput> sceneOfMesh(const std::filesystem::path& path, Progress& progress)
 {
     StageProgress reading(progress, 0, 0.2);
     const auto mesh = readMesh(path, reading);
@@ -54,7 +57,7 @@ Result<Scene> sceneOfMesh(const std::filesystem::path& path, Progress& progress)
     }
     StageProgress building(progress, 0.6, 1);
     return sceneOf(
-        FilterSurface::fromMesh(*mesh, buildAdjacency(mesh->triangles)), *texels, building);
+        FilterSurface::fromMesh(*mesh, buildAdjacency(mesh->triangles)), *texels, *mesh, building);
 }
 
 bool carriesMesh(const PtxContents& contents)
@@ -64,9 +67,9 @@ bool carriesMesh(const PtxContents& contents)
     });
 }
 
-Result<Scene> sceneOfPtx(const std::filesystem::path& path,
-                         const std::optional<std::filesystem::path>& meshPath,
-                         Progress& progress)
+Result<FilterInput> sceneOfPtx(const std::filesystem::path& path,
+                               const std::optional<std::filesystem::path>& meshPath,
+                               Progress& progress)
 {
     StageProgress reading(progress, 0, 0.5);
     StageProgress building(progress, 0.5, 1);
@@ -86,14 +89,25 @@ Result<Scene> sceneOfPtx(const std::filesystem::path& path,
         const auto project = openPtx(path, reading);
         return project ? sceneOf(*project, building) : tl::unexpected(project.error());
     }
-    return sceneOf(FilterSurface::equilateral(contents->adjacency), contents->texels, building);
+    return sceneOf(
+        FilterSurface::equilateral(contents->adjacency), contents->texels, std::nullopt, building);
 }
 
 } // namespace
 
-Result<Scene> openFilterScene(const std::filesystem::path& path,
-                              const std::optional<std::filesystem::path>& mesh,
-                              Progress& progress)
+Result<std::shared_ptr<const FilterScene>>
+openFilterScene(const std::filesystem::path& path,
+                const std::optional<std::filesystem::path>& mesh,
+                Progress& progress)
+{
+    return openFilterInput(path, mesh, progress).map([](FilterInput&& input) {
+        return std::move(input.scene);
+    });
+}
+
+Result<FilterInput> openFilterInput(const std::filesystem::path& path,
+                                    const std::optional<std::filesystem::path>& mesh,
+                                    Progress& progress)
 {
     const auto kind = expectFileKind(path);
     if (!kind) {

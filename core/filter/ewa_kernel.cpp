@@ -29,11 +29,12 @@ public:
             m_sums[c] += weight * (texel[c] - reference[c]);
         }
     }
-    HWY_INLINE void addTo(GroupValue& values) const
+    HWY_INLINE void moveTo(WindowSums& sums)
     {
         for (std::size_t c = 0; c < kGroupChannels; ++c) {
-            values[c] += m_sums[c];
+            sums.values[c] += static_cast<double>(m_sums[c]);
         }
+        m_sums = {};
     }
 
 private:
@@ -52,9 +53,14 @@ public:
         const auto beyond = hn::Sub(hn::LoadU(Tag(), texel), hn::LoadU(Tag(), reference.data()));
         m_sums = hn::MulAdd(hn::Set(Tag(), weight), beyond, m_sums);
     }
-    HWY_INLINE void addTo(GroupValue& values) const
+    HWY_INLINE void moveTo(WindowSums& sums)
     {
-        hn::StoreU(hn::Add(m_sums, hn::LoadU(Tag(), values.data())), Tag(), values.data());
+        GroupValue values;
+        hn::StoreU(m_sums, Tag(), values.data());
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            sums.values[c] += static_cast<double>(values[c]);
+        }
+        m_sums = hn::Zero(Tag());
     }
 
 private:
@@ -144,15 +150,18 @@ public:
     HWY_INLINE void addTo(WindowSums& sums)
     {
         flush();
-        m_even.addTo(sums.values);
-        m_odd.addTo(sums.values);
-        sums.weight += hn::GetLane(hn::SumOfLanes(WeightTag(), m_weight));
+        spill();
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            sums.values[c] += m_spilled.values[c];
+        }
+        sums.weight += m_spilled.weight;
         sums.taps += m_taps;
     }
 
 private:
     static constexpr std::uint32_t kRoom = 32;
     static constexpr std::uint32_t kChunk = 64; ///< weights at a time
+    static constexpr std::uint32_t kMostInFloat = 4096;
 
     HWY_INLINE void flush()
     {
@@ -166,6 +175,19 @@ private:
             addChunk(run, run.count);
         }
         m_count = 0;
+        if (m_taps - m_spilled.taps > kMostInFloat) {
+            spill();
+        }
+    }
+
+    /// Takes the sums in float over into those in double.
+    HWY_INLINE void spill()
+    {
+        m_even.moveTo(m_spilled);
+        m_odd.moveTo(m_spilled);
+        m_spilled.weight += static_cast<double>(hn::GetLane(hn::SumOfLanes(WeightTag(), m_weight)));
+        m_spilled.taps = m_taps;
+        m_weight = hn::Zero(WeightTag());
     }
 
     HWY_INLINE void addChunk(const WindowRun& run, std::uint32_t count)
@@ -199,6 +221,7 @@ private:
     std::array<WindowRun, kRoom> m_runs;
     std::uint32_t m_count = 0;
     std::uint32_t m_taps = 0;
+    WindowSums m_spilled;
     // Two chains of sums, for one waits for its own last addition.
     ChannelSums m_even, m_odd;
     hn::Vec<WeightTag> m_weight;
@@ -253,8 +276,8 @@ void addFewUnderWindow(const LevelTexels& texels,
             channels.add(weights[k], texels.values + std::size_t{texels.stride} * k, reference);
         }
     }
-    channels.addTo(sums.values);
-    sums.weight += hn::GetLane(hn::SumOfLanes(d, weight));
+    channels.moveTo(sums);
+    sums.weight += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, weight)));
 }
 
 } // namespace HWY_NAMESPACE

@@ -10,11 +10,13 @@
 
 namespace trixel {
 
-/// Sums over texels under a window, in float.
+/// Sums over texels under a window: in float over a few thousand of them, in double beyond, for a
+/// million floats added up one by one lose four digits.
 struct WindowSums
 {
-    GroupValue values{}; ///< weight times what a texel has beyond the reference
-    float weight = 0;
+    std::array<double, kGroupChannels> values{}; ///< weight times what a texel has beyond the
+                                                 ///< reference
+    double weight = 0;
     std::uint32_t taps = 0;
 };
 

@@ -121,9 +121,9 @@ void EwaSum::add(const FilterScene& scene,
     }
     m_taps += sums.taps;
     const double area = (e1.x * e2.y - e1.y * e2.x) / read.texelCount();
-    m_weight += area * static_cast<double>(sums.weight);
+    m_weight += area * sums.weight;
     for (std::size_t c = 0; c < kGroupChannels; ++c) {
-        m_values[c] += area * static_cast<double>(sums.values[c]);
+        m_values[c] += area * sums.values[c];
     }
 }
 

@@ -7,10 +7,11 @@
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/mesh/surface.h"
-#include "core/texture/texel_store.h"
+#include "core/filter/filter_scene.h"
+#include "core/mesh/triangle_mesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -73,13 +74,14 @@ struct StabilitySweep
 /// Hazards found on the faces of an asset.
 struct AssetFinding
 {
-    std::string name{};         ///< "needle", "zero-area", "valence", "level-step", …
-    std::string title{};        ///< as people read it
+    std::string name;           ///< "asset-needles", "asset-valence", …
+    std::string title;          ///< as people read it, with the unit of `worst`
     std::uint64_t count = 0;    ///< faces, vertices or edges concerned
-    double worst = 0;           ///< of the worst one, in the unit of the title
+    double worst = 0;           ///< of the worst one
     std::optional<FaceId> face; ///< where the worst one is
-    /// Largest error of the filters on the worst ones, as the sweep of the same hazard measures it;
-    /// nothing where it was not measured.
+    /// On the worst faces, of filters that are continuous: the largest jump across an edge between
+    /// faces that are no needles, of the value range; infinite where one gives no number for a
+    /// footprint of any length. Nothing where there is no such face.
     std::optional<double> error;
     double bound = 0; ///< that the error has to keep
 
@@ -122,9 +124,9 @@ public:
 /// An asset whose own faces are to be looked at.
 struct StabilityAsset
 {
-    std::string name{};
-    const Surface& surface;
-    const TexelStore* texels = nullptr; ///< none: the levels are not looked at
+    std::string name;
+    const FilterScene& scene;
+    const TriangleMesh* mesh = nullptr; ///< none: every face counts as equilateral
 };
 
 /// Runs every sweep, and looks for the worst faces of the asset where there is one. Seconds. Fails

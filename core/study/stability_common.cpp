@@ -36,6 +36,10 @@ SweepValue sweepValue(double value)
         return {value, value > 0 ? "Inf" : "-Inf"};
     }
     std::array<char, 32> text{};
+    if (value == std::round(value) && std::abs(value) < 1e5) {
+        const auto whole = static_cast<long>(value);
+        return {value, std::to_string(whole)};
+    }
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3)
             .ptr;

@@ -216,6 +216,9 @@ std::string toText(const StabilityReport& report)
     for (const StabilitySweep& sweep : report.sweeps) {
         text += lineOf(sweep);
     }
+    if (!report.findings.empty()) {
+        text += "On the faces of " + report.subject + ":\n";
+    }
     for (const AssetFinding& finding : report.findings) {
         text += lineOf(finding);
     }

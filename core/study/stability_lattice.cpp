@@ -16,6 +16,13 @@ namespace trixel::sweeps {
 
 namespace {
 
+/// As a file or a query stores it. Not inlined: the vectoriser of GCC 12 takes a pair of doubles
+/// that become floats and doubles again for unchanged.
+[[gnu::noinline]] float asStored(double coordinate)
+{
+    return static_cast<float>(coordinate);
+}
+
 /// Distance of a point from a texel, in texels; infinite for a texel that does not exist.
 double distanceFrom(Level level, TexelCoord texel, long double u, long double v)
 {
@@ -102,7 +109,7 @@ StabilitySweep texelPrecision()
             if (v < 0) {
                 continue;
             }
-            const glm::dvec2 stored(static_cast<float>(u), static_cast<float>(v));
+            const glm::dvec2 stored(asStored(u), asStored(v));
             const auto error = [&](TexelCoord texel) {
                 return distanceFrom(level, texel, u, v) / (r * 0x1p-24);
             };

@@ -16,6 +16,7 @@ namespace trixel::app {
 void addSpeedAccuracy(CLI::App& verb, Work& chosen);
 void addSeams(CLI::App& verb, Work& chosen);
 void addAuto(CLI::App& verb, Work& chosen);
+void addStability(CLI::App& verb, Work& chosen);
 /// paint-projection, reduction, storage and subdivision.
 void addSmallStudies(CLI::App& verb, Work& chosen);
 

@@ -7,7 +7,7 @@
 namespace trixel::app {
 namespace {
 
-constexpr AddVerb kStudies[] = {addSpeedAccuracy, addAuto, addSmallStudies, addSeams};
+constexpr AddVerb kStudies[] = {addSpeedAccuracy, addAuto, addSmallStudies, addSeams, addStability};
 
 } // namespace
 
