@@ -42,10 +42,10 @@ Corners toUnit(const EllipseFrame& frame, const Corners& c)
 }
 
 /// Where the rule of the header puts a face.
-double keyOf(double distance, const Corners& unit)
+double keyOf(double way, const Corners& unit)
 {
     constexpr double kCentroidShare = 1.0 / 16384;
-    return distance + kCentroidShare * glm::length(unit[0] + unit[1] + unit[2]) / 3;
+    return way + kCentroidShare * glm::length(unit[0] + unit[1] + unit[2]) / 3;
 }
 
 glm::dvec2 shapeCorner(const FaceShape& shape, std::size_t index)
@@ -135,7 +135,11 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
         const std::size_t k = indexOf(edge);
         const std::size_t next = (k + 1) % 3;
         const auto across = surface.adjacency().neighbour(place.face, edge);
-        if (!across || isLaid(across->face) || squaredDistance(unit[k], unit[next]) > cut * cut) {
+        if (!across || isLaid(across->face)) {
+            continue;
+        }
+        const double toEdge = squaredDistance(unit[k], unit[next]);
+        if (toEdge > cut * cut) {
             continue;
         }
         // The neighbour runs along the edge the other way.
@@ -146,10 +150,12 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
         // Around a vertex distances are equal but for rounding.
         constexpr double kSlack = 1e-6;
         const double slack = kSlack * glm::length(unit[next] - unit[k]);
-        if (neighbour.distance < place.distance - slack) {
+        if (neighbour.distance < place.distance - slack ||
+            4 * (neighbour.distance + slack) * (neighbour.distance + slack) < toEdge) {
             continue;
         }
-        offer(neighbour, place.face, keyOf(neighbour.distance, neighbourUnit));
+        neighbour.way = std::max(place.way, std::sqrt(toEdge));
+        offer(neighbour, place.face, keyOf(neighbour.way, neighbourUnit));
     }
 }
 

@@ -7,15 +7,18 @@
 //     each across an edge of one already laid, and each once.
 //   * An edge is crossed where the cut ellipse touches it. On a flat surface that reaches every
 //     face under the ellipse that is seen from the centre.
-//   * Distances are in the metric of the footprint, standard deviations: d is the distance from the
-//     query's point to the nearest point of a face. No face is laid nearer than the face it is laid
-//     from, so that no chain of faces goes out and folds back over those that lie near.
-//   * Nearest first: of all faces that wait, the next is the one with the least key d + 2⁻¹⁴ c,
-//     where c is the distance to the face's centroid. Faces that share the point all have d = 0, so
-//     they are laid before the others whichever of them was hit: that makes the answer the same
-//     from both sides of an edge. Behind a vertex all faces have d in common; c lets the two ways
-//     around it meet opposite the point. What a narrower cut reaches is what a wider one lays
-//     first, so that filters of different cuts see the same faces in the same places.
+//   * Distances are from the query's point in the metric of the footprint, in standard deviations.
+//     The way to a face is as long as the most distant edge crossed on it, an edge being as far as
+//     its nearest point.
+//   * Shortest way first: of all faces that wait, the next is the one with the least key
+//     d + 2⁻¹⁴ c, where d is the length of its way and c the distance to its centroid. Faces that
+//     share the point all have d = 0, so they are laid before the others whichever of them was hit:
+//     that makes the answer the same from both sides of an edge. Behind a vertex all faces have d
+//     in common; c lets the two ways around it meet opposite the point. What a narrower cut reaches
+//     is what a wider one lays first, so that filters of different cuts see the same faces in the
+//     same places.
+//   * Nothing folds back over what lies near: no face is laid nearer than the face it is laid from,
+//     nor less than half as far as the edge it is laid across.
 //   * A face that waits at several edges is laid where its key is least; where keys differ by less
 //     than 1e-6 of themselves, which is what rounding and symmetry do, across the edge of the face
 //     with the lowest id. No rule looks at vertex order.
@@ -71,7 +74,8 @@ struct PlacedFace
     glm::dvec2 origin{0};
     glm::dvec2 e1{0};
     glm::dvec2 e2{0};
-    double distance = 0; ///< d of the rule above
+    double distance = 0; ///< from the origin to its nearest point, in standard deviations
+    double way = 0;      ///< d of the rule above
 
     glm::dvec2 corner(std::size_t index) const
     {
