@@ -29,6 +29,9 @@ public:
     Status newProject();
     Status exportedTexture();
     Status measuredChart();
+    Status conditionMap();
+    Status errorMap();
+    Status seamMeter();
 
 private:
     /// A place in the view by its share of width and height, [0,1] each.

@@ -51,6 +51,9 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::undoneAndRedone,
                             &Stops::texelsOfBothHalves,
                             &Stops::mipLevels,
+                            &Stops::conditionMap,
+                            &Stops::errorMap,
+                            &Stops::seamMeter,
                             &Stops::newProject,
                             &Stops::exportedTexture,
                             &Stops::measuredChart}) {

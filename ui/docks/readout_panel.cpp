@@ -9,12 +9,22 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/docks/method_box.h"
 #include "ui/docks/readout_text.h"
 #include "ui/docks/swatches.h"
 #include "ui/document/document.h"
 #include "ui/viewport/surface_lines.h"
 
 namespace trixel::ui {
+
+namespace {
+
+QString filteredTip()
+{
+    return ReadoutPanel::tr("The pixel's value by the chosen filter method.");
+}
+
+} // namespace
 
 ReadoutPanel::ReadoutPanel(const Document& document, QWidget* parent)
     : QWidget(parent)
@@ -63,6 +73,24 @@ ReadoutPanel::ReadoutPanel(const Document& document, QWidget* parent)
            tr("Half axes of the footprint's ellipse in world units, and their ratio; "
               "the view draws it %1 times larger")
                .arg(kFootprintMagnification));
+    addRow(*form,
+           Width,
+           tr("Width"),
+           tr("Texels of the face's own level that the ellipse is wide, and the level whose texels "
+              "are as wide"));
+    addRow(*form, Filtered, tr("Filtered"), filteredTip());
+    addRow(*form,
+           Exact,
+           tr("Exact"),
+           tr("The pixel's exact value: the Gaussian over every texel, in double precision"));
+    addRow(*form,
+           Error,
+           tr("Error"),
+           tr("Largest difference of a channel between the two, in % of the value range"));
+    addRow(*form,
+           ReadAt,
+           tr("Read at"),
+           tr("Level that the method read, and how many texels or vertices it read"));
 
     auto* row = new QHBoxLayout;
     m_chip = new SwatchButton({48, 18});
@@ -132,8 +160,42 @@ void ReadoutPanel::show(const std::optional<HoveredTexel>& texel)
     m_values[FirstVector]->setText(vectorText(texel->footprint.w1));
     m_values[SecondVector]->setText(vectorText(texel->footprint.w2));
     m_values[Ellipse]->setText(ellipseText(texel->ellipse));
+    m_values[Width]->setText(
+        widthText(describe(texel->footprint,
+                           m_document.surface()->mesh().corners(texel->point.face),
+                           m_document.texels().face(texel->point.face).level())));
     m_chip->setColor(color);
     m_chip->setEnabled(true);
+}
+
+void ReadoutPanel::showFiltered(const FilteredTexel& texel)
+{
+    const TexelType type = m_document.texels().format().type;
+    const bool refused = texel.taps == kRefusedTaps;
+    const bool exactRefused = texel.exactTaps == kRefusedTaps;
+    m_values[Filtered]->setToolTip(tr("%1 %2").arg(filteredTip(), methodTitle(texel.method)));
+    m_values[Filtered]->setText(refused ? tr("refused") : filteredText(type, texel.values));
+    m_values[ReadAt]->setText(readAtText(texel));
+    if (texel.exact.empty()) {
+        m_values[Exact]->setText("…");
+        m_values[Error]->setText("…");
+        return;
+    }
+    m_values[Exact]->setText(exactRefused ? tr("refused") : filteredText(type, texel.exact));
+    m_values[Error]->setText(refused || exactRefused
+                                 ? QString("–")
+                                 : QString("%1 %").arg(100 * texel.difference, 0, 'g', 3));
+}
+
+void ReadoutPanel::showUnfiltered(const QString& reason)
+{
+    for (const Row row : {Filtered, Exact, Error, ReadAt}) {
+        m_values[row]->setText("–");
+    }
+    if (!reason.isEmpty()) {
+        m_values[Filtered]->setText(tr("not prepared"));
+        m_values[Filtered]->setToolTip(reason);
+    }
 }
 
 QString ReadoutPanel::text() const

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+#include "ui/viewport/hover_filter.h"
 #include "ui/viewport/viewport.h"
 
 #include <array>
@@ -26,6 +27,10 @@ public:
     explicit ReadoutPanel(const Document& document, QWidget* parent = nullptr);
 
     void show(const std::optional<HoveredTexel>& texel);
+    /// What filters make of the pixel that is shown.
+    void showFiltered(const FilteredTexel& texel);
+    /// They make nothing of it. \param reason  a sentence for the tool tips; may be empty
+    void showUnfiltered(const QString& reason);
     void clear();
     /// All rows as lines of text, for the clipboard.
     QString text() const;
@@ -43,6 +48,11 @@ private:
         FirstVector,
         SecondVector,
         Ellipse,
+        Width,
+        Filtered,
+        Exact,
+        Error,
+        ReadAt,
         RowCount
     };
 

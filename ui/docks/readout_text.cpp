@@ -75,6 +75,35 @@ QString ellipseText(const FootprintEllipse& ellipse)
              number(ellipse.anisotropy(), 3));
 }
 
+QString widthText(const EllipseReport& report)
+{
+    return QString("%1 texels · level %2")
+        .arg(number(report.width, 3))
+        .arg(report.level, 0, 'f', 2);
+}
+
+QString readAtText(const FilteredTexel& texel)
+{
+    return texel.taps == kRefusedTaps
+               ? QString("–")
+               : QString("level %1 · %2 taps").arg(texel.level, 0, 'f', 2).arg(texel.taps);
+}
+
+QString filteredText(TexelType type, std::span<const float> values)
+{
+    const bool whole = type == TexelType::UInt8 || type == TexelType::UInt16;
+    const double top = type == TexelType::UInt8 ? 255.0 : 65535.0;
+    QStringList words;
+    for (const float value : values.first(std::min(values.size(), kValuesShown))) {
+        const auto stored = static_cast<double>(value);
+        words += whole ? QString::number(stored * top, 'f', 2) : number(stored, 6);
+    }
+    if (values.size() > kValuesShown) {
+        words += QString("… (%1 channels)").arg(values.size());
+    }
+    return words.join("  ");
+}
+
 QString storedText(TexelType type, std::span<const float> values)
 {
     const bool whole = type == TexelType::UInt8 || type == TexelType::UInt16;

@@ -4,7 +4,9 @@
 #include <QColor>
 #include <QString>
 
+#include "core/footprint/ellipse_report.h"
 #include "core/texture/texel_format.h"
+#include "ui/viewport/hover_filter.h"
 #include "ui/viewport/viewport.h"
 
 #include <span>
@@ -22,6 +24,11 @@ QString barycentricText(glm::vec2 uv);          ///< "u 0.25000  v 0.50000  w 0.
 QString positionText(glm::vec3 position, float size);
 QString vectorText(glm::dvec2 vector); ///< in (u,v)
 QString ellipseText(const FootprintEllipse& ellipse);
+
+QString widthText(const EllipseReport& report); ///< "3.4 texels · level 2.3"
+QString readAtText(const FilteredTexel& texel); ///< "level 2.0 · 24 taps"
+/// Filtered values on the scale of the stored ones, with what lies between whole numbers.
+QString filteredText(TexelType type, std::span<const float> values);
 
 /// Values as they are stored: whole numbers for the integer types.
 QString storedText(TexelType type, std::span<const float> values);

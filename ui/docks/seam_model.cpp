@@ -130,7 +130,7 @@ QVariant SeamModel::data(const QModelIndex& index, int role) const
     case Face:
         return static_cast<uint>(jump.face);
     case Edge:
-        return edgeName(jump.edge) + " | " + edgeName(jump.neighbourEdge);
+        return edgeName(jump.edge) + "|" + edgeName(jump.neighbourEdge);
     case Neighbour:
         return static_cast<uint>(jump.neighbour);
     case Levels:
@@ -147,7 +147,8 @@ QVariant SeamModel::headerData(int section, Qt::Orientation orientation, int rol
     }
     const std::pair<QString, QString> columns[ColumnCount] = {
         {tr("Jump %"), tr("Largest difference between the two sides, in % of the value range")},
-        {tr("Mean %"), tr("Mean over the points and footprints of the edge")},
+        {tr("Mean"),
+         tr("Mean over the points and footprints of the edge, in % of the value range")},
         {tr("Face"), tr("The lower of the two faces")},
         {tr("Edge"), tr("The edge as each of the two faces numbers it")},
         {tr("Beside"), tr("The face on the other side")},
@@ -191,11 +192,15 @@ void SeamModel::takeOrder(Order order)
                                : m_order[static_cast<std::size_t>(row)];
     };
     QModelIndexList after;
+    int lastRow = -1; // the cells of a row come together
+    std::ptrdiff_t newRow = 0;
     for (const QModelIndex& index : before) {
-        const std::uint32_t wanted = rowInReport(index.row());
-        const auto row = order.empty() ? static_cast<std::ptrdiff_t>(wanted)
-                                       : std::ranges::find(order, wanted) - order.begin();
-        after += createIndex(static_cast<int>(row), index.column());
+        if (std::exchange(lastRow, index.row()) != index.row()) {
+            const std::uint32_t wanted = rowInReport(index.row());
+            newRow = order.empty() ? static_cast<std::ptrdiff_t>(wanted)
+                                   : std::ranges::find(order, wanted) - order.begin();
+        }
+        after += createIndex(static_cast<int>(newRow), index.column());
     }
     m_order = std::move(order);
     changePersistentIndexList(before, after);

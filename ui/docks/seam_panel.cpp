@@ -28,6 +28,8 @@ namespace {
 
 enum FootprintKind { InTexels, OfTheView };
 
+constexpr int kSortArrow = 14;
+
 QString percent(double part)
 {
     return QString::number(100 * part, 'g', 3) + " %";
@@ -115,8 +117,10 @@ QWidget* SeamPanel::makeChoices()
     form->addRow(tr("Footprints"), m_footprints);
     auto* buttons = new QHBoxLayout;
     m_measure = new QPushButton(tr("&Measure"));
+    m_measure->setAccessibleName(tr("Measure the seams"));
     m_measure->setToolTip(tr("Measure the jump of the method across every edge"));
     m_compare = new QPushButton(tr("&Compare methods"));
+    m_compare->setAccessibleName(tr("Compare methods"));
     m_compare->setToolTip(tr("Measure every method, one after the other; the slow ones last"));
     buttons->addWidget(m_measure);
     buttons->addWidget(m_compare);
@@ -145,8 +149,19 @@ QTableView* SeamPanel::makeTable()
     rows->setDefaultSectionSize(fontMetrics().height() + 4);
     m_table->setModel(m_model);
     QHeaderView* columns = m_table->horizontalHeader();
-    columns->setSectionResizeMode(QHeaderView::Stretch);
+    columns->setSectionResizeMode(QHeaderView::Interactive);
+    columns->setStretchLastSection(true);
     columns->setHighlightSections(false);
+    // The numbers are of known length: no row needs to be measured.
+    const auto widthOf = [this](const QString& text) {
+        constexpr int kPadding = 12;
+        return fontMetrics().horizontalAdvance(text) + kPadding;
+    };
+    columns->resizeSection(SeamModel::Jump, widthOf("Jump %") + kSortArrow);
+    columns->resizeSection(SeamModel::Mean, widthOf("00.000"));
+    columns->resizeSection(SeamModel::Face, widthOf("000000"));
+    columns->resizeSection(SeamModel::Edge, widthOf("e0|e0"));
+    columns->resizeSection(SeamModel::Neighbour, widthOf("000000"));
     columns->setSortIndicator(SeamModel::Jump, Qt::DescendingOrder);
     columns->setMinimumSectionSize(36);
     m_table->setSortingEnabled(true);
@@ -340,7 +355,7 @@ void SeamPanel::showState()
         text = tr("A seam is an edge where the filtered value differs between its two faces.");
     } else {
         const SeamSummary summary = summarize(m_report->jumps);
-        text = tr("%1: %2 of %3 edges jump.\nWorst %4 · p99 %5 · median %6 of the value range")
+        text = tr("%1: %2 of %3 edges jump.\nWorst %4 · p99 %5 · median %6")
                    .arg(methodTitle(m_reported),
                         counted(summary.broken),
                         counted(summary.edges),

@@ -11,8 +11,10 @@ namespace trixel::ui {
 
 namespace {
 
-/// While a stroke goes on the scene follows at most so often.
+/// Changes that follow each other are taken together.
 constexpr int kPauseMs = 40;
+/// A stroke has the processor to itself.
+constexpr int kStrokePauseMs = 120;
 /// Beyond so many touched rectangles it is simpler to begin anew.
 constexpr std::size_t kMostRects = 100'000;
 
@@ -84,13 +86,17 @@ void FilterSceneSource::takeChange(const Change& change)
         m_rebuild = true;
     }
     if (!m_wanting.empty() && !m_pause.isActive()) {
-        m_pause.start();
+        m_pause.start(kPauseMs);
     }
 }
 
 void FilterSceneSource::refresh()
 {
     if (m_wanting.empty() || m_isBusy || !m_isStale || !m_document.isOpen()) {
+        return;
+    }
+    if (m_document.hasStroke()) {
+        m_pause.start(kStrokePauseMs);
         return;
     }
     m_isBusy = true;

@@ -11,6 +11,14 @@
 
 namespace trixel::ui {
 
+/// What a filter is asked for a pixel.
+struct PixelQuery
+{
+    FaceId face{};
+    glm::vec2 uv{0}; ///< seen through the pixel's middle
+    Footprint footprint;
+};
+
 /// The texel under the pointer, for the readout.
 struct HoveredTexel
 {
@@ -22,6 +30,8 @@ struct HoveredTexel
     std::vector<float> values; ///< one a channel, as stored
     Footprint footprint;
     FootprintEllipse ellipse;
+    /// The pixel under the pointer; nothing where its middle is off the surface.
+    std::optional<PixelQuery> pixelQuery;
 };
 
 /// Reads single texels of a store as shown, some levels coarser. Keeps the last face it reduced,

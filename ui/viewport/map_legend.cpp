@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMargin = 8; // to the view's edge
 constexpr int kInset = 10;
-constexpr int kWidth = 320;
+constexpr int kWidth = 380;
 constexpr int kBarHeight = 12;
 constexpr int kTick = 4;
 constexpr int kGap = 5;

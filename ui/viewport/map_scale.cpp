@@ -17,7 +17,7 @@ MapScale MapScale::of(ViewMapKind map)
     } else {
         scale.m_low = 1e-5;
         scale.m_high = 1;
-        scale.m_ticks = {{1e-5, "≤ 0.001 %"},
+        scale.m_ticks = {{1e-5, "≤ 0.001"},
                          {1e-4, "0.01"},
                          {1e-3, "0.1"},
                          {1e-2, "1"},

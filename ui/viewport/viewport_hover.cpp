@@ -56,6 +56,15 @@ void Viewport::Private::refreshHover()
                                      rayAt(camera, *pointer),
                                      shownView.mipDrop);
     }
+    if (hoveredTexel) {
+        const PixelRay ray = rayAt(camera, *pointer);
+        if (const auto middle = hit(glm::floor(*pointer) + 0.5)) {
+            hoveredTexel->pixelQuery = {
+                middle->face,
+                middle->uv,
+                screenFootprint(ray, shownSurface->mesh().corners(middle->face))};
+        }
+    }
     if (hoveredTexel || hadTexel) {
         emit q.hovered(hoveredTexel);
         redraw();

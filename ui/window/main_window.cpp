@@ -141,6 +141,7 @@ void MainWindow::makePanels()
     m_panelActions = new PanelActions(*this, *m_viewport);
     m_brushPanel = new BrushPanel(m_settings, m_colors);
     m_readout = new ReadoutPanel(m_document);
+    m_hoverFilter = new HoverFilter(m_document, m_settings, m_filterScene, m_readout);
     m_report = new ReportPanel;
     m_seams = new SeamPanel(m_document, m_settings, m_filterScene, m_jobs, *m_viewport);
     auto* history = new QUndoView(&m_document.undoStack());
@@ -270,6 +271,16 @@ void MainWindow::makeStatusBar()
 void MainWindow::connectView()
 {
     connect(m_viewport, &Viewport::hovered, m_readout, &ReadoutPanel::show);
+    connect(m_viewport,
+            &Viewport::hovered,
+            m_readout,
+            [this](const std::optional<HoveredTexel>& texel) {
+                if (m_readout->isVisible()) {
+                    m_hoverFilter->ask(texel);
+                }
+            });
+    connect(m_hoverFilter, &HoverFilter::answered, m_readout, &ReadoutPanel::showFiltered);
+    connect(m_hoverFilter, &HoverFilter::unanswered, m_readout, &ReadoutPanel::showUnfiltered);
     connect(m_viewport, &Viewport::colorPicked, this, [this](const std::array<float, 4>& color) {
         m_colors.choose(color);
     });

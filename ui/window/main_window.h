@@ -20,6 +20,7 @@ class BrushPanel;
 class ChartPanel;
 class EditActions;
 class FileActions;
+class HoverFilter;
 class MapActions;
 class MessageBar;
 class PanelActions;
@@ -87,6 +88,7 @@ private:
     MessageBar* m_messages = nullptr;
     BrushPanel* m_brushPanel = nullptr;
     ReadoutPanel* m_readout = nullptr;
+    HoverFilter* m_hoverFilter = nullptr; ///< a child of the read-out
     ReportPanel* m_report = nullptr;
     ChartPanel* m_chart = nullptr;
     SeamPanel* m_seams = nullptr;

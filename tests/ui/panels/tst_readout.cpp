@@ -62,6 +62,33 @@ private slots:
         }
     }
 
+    void whatFiltersMakeOfThePixelIsShown()
+    {
+        Document document;
+        document.open(gridProject(), {}, "grid");
+        ReadoutPanel panel(document);
+        panel.show(upperTexel());
+        FilteredTexel filtered;
+        filtered.method = {"probes-2", std::nullopt};
+        filtered.values = {0.5F, 0.0F, 1.0F};
+        filtered.level = 2;
+        filtered.taps = 24;
+        panel.showFiltered(filtered);
+        QVERIFY2(panel.text().contains("Filtered: 127.50  0.00  255.00"), qPrintable(panel.text()));
+        QVERIFY(panel.text().contains("Read at: level 2.00 · 24 taps"));
+        QVERIFY(panel.text().contains("Exact: …"));
+        filtered.exact = {0.5F, 0.02F, 1.0F};
+        filtered.difference = 0.02;
+        panel.showFiltered(filtered);
+        QVERIFY(panel.text().contains("Exact: 127.50  5.10  255.00"));
+        QVERIFY(panel.text().contains("Error: 2 %"));
+        filtered.exactTaps = kRefusedTaps;
+        panel.showFiltered(filtered);
+        QVERIFY(panel.text().contains("Exact: refused"));
+        panel.showUnfiltered("Because.");
+        QVERIFY(panel.text().contains("Filtered: not prepared"));
+    }
+
     void lastTexelStaysWhenThePointerLeaves()
     {
         Document document;

@@ -4,7 +4,7 @@
 #include "core/study/view_map.h"
 #include "render/camera_view.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/document/filter_scene_source.h"
+#include "ui/docks/readout_panel.h"
 #include "ui/viewport/map_legend.h"
 #include "ui/viewport/view_map.h"
 
@@ -204,6 +204,37 @@ private slots:
         press(Qt::Key_4, Qt::ControlModifier);
         QTRY_VERIFY(view().hasPicture());
         closeWindow();
+    }
+
+    void theReadoutTellsTheErrorThatTheMapShows()
+    {
+        choose("nearest-level");
+        show(ViewMapKind::Error);
+        // A pixel that sees both the painted face and what is beside it.
+        const auto corners = document().surface()->mesh().corners(FaceId{20});
+        const auto place =
+            view().widgetPosition({FaceId{20}, {0.5F, 0}, pointAt(corners, 0.5F, 0)});
+        const QPoint at = place->toPoint();
+        hover(view(), at);
+        const auto* readout = m_window->findChild<ReadoutPanel*>();
+        const float shown = map().valueAt(at).value_or(-1);
+        QVERIFY(shown > 0.001F);
+        const QString wanted = QString("Error: %1 %").arg(100 * double{shown}, 0, 'g', 3);
+        QTRY_VERIFY2(readout->text().contains(wanted),
+                     qPrintable(wanted + " in\n" + readout->text()));
+        // Another method answers for the same pixel, without another move.
+        choose("exact");
+        QTRY_VERIFY(readout->text().contains("Error: 0 %"));
+    }
+
+    void paintUnderTheRestingPointerIsFilteredAnew()
+    {
+        choose("point");
+        hover(view(), placeOf(60));
+        const auto* readout = m_window->findChild<ReadoutPanel*>();
+        QTRY_VERIFY(readout->text().contains("Filtered: 204.00  204.00  204.00"));
+        fillFace(60);
+        QTRY_VERIFY(readout->text().contains("Filtered: 255.00  0.00  0.00"));
     }
 
     void coreSeesTheSameRaysAsTheView()
