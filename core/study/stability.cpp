@@ -85,7 +85,7 @@ Result<StabilityReport>
 runStability(const StabilityAsset* asset, Threads threads, StabilityWatcher& watcher)
 {
     StabilityReport report;
-    report.subject = asset != nullptr ? asset->name : "no asset";
+    report.subject = asset != nullptr ? asset->name() : "no asset";
     report.conditions = "Deterministic; truth in long double from the rounded numbers.";
     const double sweepShare = asset != nullptr ? 0.7 : 1.0;
     const auto count = static_cast<double>(stabilitySweeps().size());

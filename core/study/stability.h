@@ -8,10 +8,12 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/filter/filter_scene.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/mesh/surface.h"
+#include "core/texture/texel_store.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -121,12 +123,26 @@ public:
     virtual void swept(const StabilitySweep& sweep) = 0;
 };
 
-/// An asset whose own faces are to be looked at.
-struct StabilityAsset
+/// An asset whose own faces are to be looked at. Refers to what it is made of.
+class StabilityAsset
 {
-    std::string name;
-    const FilterScene& scene;
-    const TriangleMesh* mesh = nullptr; ///< none: every face counts as equilateral
+public:
+    /// \param mesh  null: every face counts as equilateral
+    StabilityAsset(std::string name, const FilterScene& scene, const TriangleMesh* mesh);
+    /// The scene to filter is built by `findHazards`. \param texels  of the surface; not null
+    StabilityAsset(std::string name, const Surface& surface, const TexelStore* texels);
+
+    const std::string& name() const { return m_name; }
+    const TriangleMesh* mesh() const { return m_mesh; }
+    /// What was given, or is built now. Fails only when cancelled.
+    Result<std::shared_ptr<const FilterScene>> scene(Threads threads, Progress& progress) const;
+
+private:
+    std::string m_name;
+    const TriangleMesh* m_mesh = nullptr;
+    const FilterScene* m_scene = nullptr;
+    const Surface* m_surface = nullptr;
+    const TexelStore* m_texels = nullptr;
 };
 
 /// Runs every sweep, and looks for the worst faces of the asset where there is one. Seconds. Fails

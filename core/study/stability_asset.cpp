@@ -246,13 +246,49 @@ void ask(const FilterScene& scene,
 
 } // namespace
 
+StabilityAsset::StabilityAsset(std::string name, const FilterScene& scene, const TriangleMesh* mesh)
+    : m_name(std::move(name))
+    , m_mesh(mesh)
+    , m_scene(&scene)
+{
+}
+
+StabilityAsset::StabilityAsset(std::string name, const Surface& surface, const TexelStore* texels)
+    : m_name(std::move(name))
+    , m_mesh(&surface.mesh())
+    , m_surface(&surface)
+    , m_texels(texels)
+{
+    check(texels != nullptr, "texels of the surface");
+}
+
+Result<std::shared_ptr<const FilterScene>> StabilityAsset::scene(Threads threads,
+                                                                 Progress& progress) const
+{
+    if (m_scene != nullptr) {
+        // Somebody else's: the pointer only looks.
+        return std::shared_ptr<const FilterScene>(std::shared_ptr<const FilterScene>(), m_scene);
+    }
+    auto surface = std::make_shared<const FilterSurface>(
+        FilterSurface::fromMesh(m_surface->mesh(), m_surface->adjacency()));
+    return FilterScene::build(std::move(surface), *m_texels, threads, progress)
+        .map([](FilterScene&& scene) {
+            return std::make_shared<const FilterScene>(std::move(scene));
+        });
+}
+
 Result<std::vector<AssetFinding>>
 findHazards(const StabilityAsset& asset, Threads threads, Progress& progress)
 {
-    const FilterScene& scene = asset.scene;
+    StageProgress building(progress, 0, 0.2);
+    const auto built = asset.scene(threads, building);
+    if (!built) {
+        return tl::unexpected(built.error());
+    }
+    const FilterScene& scene = **built;
     std::vector<AssetFinding> findings;
     const double range = valueRange(scene.mips(), threads);
-    if (!progress.report(0.2)) {
+    if (!progress.report(0.4)) {
         return cancelled();
     }
     const bool numbersOnly = hasNumbersOnly(scene);
@@ -265,16 +301,16 @@ findHazards(const StabilityAsset& asset, Threads threads, Progress& progress)
             ask(scene, suspects, range, numbersOnly, finding);
         }
         findings.push_back(std::move(finding));
-        return progress.report(0.2 + 0.8 * static_cast<double>(findings.size()) / 4);
+        return progress.report(0.4 + 0.6 * static_cast<double>(findings.size()) / 4);
     };
     const Suspects none;
     const bool goOn =
         add("asset-zero-area",
             "Faces without area",
-            asset.mesh != nullptr ? zeroAreas(*asset.mesh) : none) &&
+            asset.mesh() != nullptr ? zeroAreas(*asset.mesh()) : none) &&
         add("asset-needles",
             "Needles (length over height above 20)",
-            asset.mesh != nullptr ? needles(*asset.mesh) : none) &&
+            asset.mesh() != nullptr ? needles(*asset.mesh()) : none) &&
         add("asset-valence", "Vertices of more than 12 faces (faces)", crowdedVertices(scene)) &&
         add("asset-level-steps",
             "Edges between faces two and more levels apart (levels)",
