@@ -24,7 +24,7 @@ constexpr const char* kFooter =
     "3 a path that cannot be read or written.";
 
 constexpr AddVerb kVerbs[] = {
-    addNew, addInfo, addCheck, addPaint, addExport, addConvert, addDiff, addSample, addStudy};
+    addNew, addInfo, addCheck, addPaint, addExport, addConvert, addDiff, addSample, addStudy, addFit};
 
 /// One line, whatever the message holds: file names may contain line breaks.
 std::string onOneLine(std::string text)

@@ -30,5 +30,6 @@ void addConvert(CLI::App& parser, Work& chosen);
 void addDiff(CLI::App& parser, Work& chosen);
 void addSample(CLI::App& parser, Work& chosen);
 void addStudy(CLI::App& parser, Work& chosen);
+void addFit(CLI::App& parser, Work& chosen);
 
 } // namespace trixel::app

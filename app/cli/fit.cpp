@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/fit.h"
+
+#include "app/cli/arguments.h"
+#include "app/cli/file_kind.h"
+#include "app/cli/output.h"
+#include "app/cli/verb.h"
+#include "core/base/read_file.h"
+#include "core/study/fit_method.h"
+#include "core/study/fit_subdivision.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace trixel::app {
+namespace {
+
+struct Arguments
+{
+    std::string project;
+    std::string cameras;
+    std::string tolerance = "1/255";
+    std::string output;
+    bool json = false;
+    bool dryRun = false;
+};
+
+/// A number, or two with a slash between them.
+Result<double> toleranceOf(const std::string& text)
+{
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) {
+        return positiveNumber("--tolerance", text);
+    }
+    const auto above = positiveNumber("--tolerance", text.substr(0, slash));
+    const auto below = positiveNumber("--tolerance", text.substr(slash + 1));
+    if (!above || !below) {
+        return above ? below : above;
+    }
+    return *above / *below;
+}
+
+Result<SceneViews> readCameras(const std::string& path)
+{
+    const auto text = readFile(path);
+    if (!text) {
+        return tl::unexpected(text.error());
+    }
+    auto views = parseCameras(*text);
+    if (!views) {
+        return prefixed(path, views.error());
+    }
+    return views;
+}
+
+/// What is reported, beyond the plan itself.
+struct Report
+{
+    double tolerance = 0;
+    std::optional<FitMethod> method;
+    std::vector<SubdivisionError> subdivision;
+};
+
+std::string decimal(double number, int digits)
+{
+    std::array<char, 64> text{};
+    const int length = std::snprintf(text.data(), text.size(), "%.*g", digits, number);
+    return {text.data(), static_cast<std::size_t>(std::max(length, 0))};
+}
+
+nlohmann::json toJson(const FitPlan& plan, const Report& report)
+{
+    nlohmann::json json = {{"texelsBefore", plan.cost.texelsBefore},
+                           {"texelsAfter", plan.cost.texelsAfter},
+                           {"bytesBefore", plan.cost.bytesBefore},
+                           {"bytesAfter", plan.cost.bytesAfter},
+                           {"facesChanged", plan.cost.changedFaces},
+                           {"facesUnseen", plan.unseenFaces},
+                           {"tolerance", report.tolerance},
+                           {"rms", plan.rms},
+                           {"worstPart", plan.worstPart},
+                           {"worstFace", plan.worstFace}};
+    if (report.method) {
+        json["method"] = {{"name", toText(report.method->method)},
+                          {"nanoseconds", report.method->nanoseconds},
+                          {"rms", report.method->rms}};
+    }
+    json["subdivision"] = nlohmann::json::array();
+    for (const SubdivisionError& error : report.subdivision) {
+        json["subdivision"].push_back(
+            {{"steps", error.steps}, {"faces", error.faces}, {"pixels", error.pixels}});
+    }
+    return json;
+}
+
+void print(const FitPlan& plan, const Report& report)
+{
+    const LevelCost& cost = plan.cost;
+    const double times =
+        static_cast<double>(cost.texelsBefore) / static_cast<double>(cost.texelsAfter);
+    std::cout << "texels       " << grouped(cost.texelsBefore) << " -> "
+              << grouped(cost.texelsAfter) << " (" << decimal(times, 3) << " times fewer)\n"
+              << "memory       " << byteSizeText(cost.bytesBefore) << " -> "
+              << byteSizeText(cost.bytesAfter) << "\n"
+              << "faces        " << grouped(cost.changedFaces) << " change, "
+              << grouped(plan.unseenFaces) << " are in no picture\n"
+              << "error        RMS " << decimal(plan.rms, 3) << " over the mesh, "
+              << decimal(plan.worstPart, 3) << " in its worst part; the tolerance is "
+              << decimal(report.tolerance, 3) << "\n";
+    if (report.method) {
+        std::cout << "filter       " << toText(report.method->method) << " is the fastest within "
+                  << "the tolerance: " << decimal(report.method->nanoseconds, 3)
+                  << " ns a pixel, RMS " << decimal(report.method->rms, 2) << "\n";
+    }
+    if (!report.subdivision.empty()) {
+        const SubdivisionError& last = report.subdivision.back();
+        std::cout << "subdivision  as a Loop cage, "
+                  << (last.pixels <= kSubdivisionPixels ? "" : "more than ")
+                  << counted(static_cast<std::uint64_t>(last.steps), "step") << " ("
+                  << grouped(last.faces) << " faces, " << decimal(last.pixels, 2)
+                  << " pixels off the limit surface)\n";
+    }
+}
+
+Result<std::optional<FitMethod>>
+fastestMethod(const Project& project, const SceneViews& views, double tolerance, Progress& progress)
+{
+    StageProgress building(progress, 0, 0.2);
+    const auto shapes = std::make_shared<FilterSurface>(
+        FilterSurface::fromMesh(project.surface->mesh(), project.surface->adjacency()));
+    const auto scene = FilterScene::build(shapes, project.texels, Threads::all(), building);
+    if (!scene) {
+        return tl::unexpected(scene.error());
+    }
+    StageProgress measuring(progress, 0.2, 1);
+    return fitMethod(*project.surface, *scene, views, tolerance, Threads::all(), measuring);
+}
+
+Status checkOutput(const Arguments& arguments)
+{
+    if (arguments.output.empty()) {
+        return arguments.dryRun ? Status() : contentsError("fit: expected -o FILE or --dry-run.");
+    }
+    return expectEnding(arguments.output, FileKind::Project);
+}
+
+Result<Outcome> fit(const Arguments& arguments, Progress& progress)
+{
+    if (const Status output = checkOutput(arguments); !output) {
+        return tl::unexpected(output.error());
+    }
+    const auto tolerance = toleranceOf(arguments.tolerance);
+    if (!tolerance) {
+        return tl::unexpected(tolerance.error());
+    }
+    const auto views = readCameras(arguments.cameras);
+    if (!views) {
+        return tl::unexpected(views.error());
+    }
+    StageProgress opening(progress, 0, 0.05);
+    auto project = openPainted(arguments.project, opening);
+    if (!project) {
+        return tl::unexpected(project.error());
+    }
+    StageProgress planning(progress, 0.05, 0.9);
+    const auto plan =
+        planFit(*project->surface, project->texels, {*views, *tolerance}, Threads::all(), planning);
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    applyFit(*plan, project->texels);
+    StageProgress measuring(progress, 0.9, 0.97);
+    const auto method = fastestMethod(*project, *views, *tolerance, measuring);
+    if (!method) {
+        return tl::unexpected(method.error());
+    }
+    const Report report{*tolerance, *method, subdivisionErrors(project->surface->mesh(), *views)};
+    if (!arguments.dryRun) {
+        StageProgress saving(progress, 0.97, 1);
+        if (const Status saved = saveProject(arguments.output, *project, saving); !saved) {
+            return tl::unexpected(saved.error());
+        }
+    }
+    if (arguments.json) {
+        printJson(toJson(*plan, report));
+    } else {
+        print(*plan, report);
+    }
+    return Outcome::Done;
+}
+
+} // namespace
+
+void addFit(CLI::App& parser, Work& chosen)
+{
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App* verb =
+        parser.add_subcommand("fit", "Lower the levels of faces as far as a scene's views allow");
+    verb->add_option("PROJECT", arguments->project, "Project, or .ptx that carries its mesh")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--cameras", arguments->cameras, "Cameras file (JSON)")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--tolerance",
+                     arguments->tolerance,
+                     "RMS difference allowed in any picture that the cameras cover, in the unit of "
+                     "the values (integers: 0 to 1); 1/255 by default")
+        ->type_name("E");
+    verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")
+        ->type_name("FILE");
+    verb->add_flag("--dry-run", arguments->dryRun, "Tell what it would do, write nothing");
+    verb->add_flag("--json", arguments->json, "Print one JSON object");
+    verb->callback([arguments, &chosen] {
+        chosen = [arguments](Progress& progress) { return fit(*arguments, progress); };
+    });
+}
+
+} // namespace trixel::app

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lattice/texel.h"
+#include "core/study/fit.h"
+#include "core/study/fit_method.h"
+#include "core/study/fit_subdivision.h"
+#include "core/study/picture_error.h"
+#include "tests/core/study/covered_views.h"
+#include "tests/core/test_meshes.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace trixel {
+namespace {
+
+constexpr double kTolerance = 3.0 / 255;
+
+/// A sphere of 80 faces of levels 4 and 5: soft colours, hard stripes on one side, one colour on
+/// the other half.
+struct Scene
+{
+    std::shared_ptr<const Surface> surface;
+    TexelStore texels;
+    std::shared_ptr<const FilterSurface> shapes;
+};
+
+std::array<std::byte, 3> colourAt(glm::vec3 p)
+{
+    const bool striped = p.x > 0.5F && std::sin(40 * p.y) > 0;
+    const auto byteOf = [](float v) {
+        return static_cast<std::byte>(std::lround(255 * std::clamp(v, 0.0F, 1.0F)));
+    };
+    return {byteOf(striped ? 0.9F : 0.5F + 0.3F * std::sin(3 * p.x)),
+            byteOf(striped ? 0.1F : 0.5F + 0.2F * p.y),
+            byteOf(0.4F)};
+}
+
+FaceTexels painted(const TriangleMesh& mesh, FaceId face, Level level)
+{
+    const auto corners = mesh.corners(face);
+    if (corners[0].x + corners[1].x + corners[2].x < 0) {
+        return FaceTexels::constant(level, colourAt({0, 0, 0}));
+    }
+    std::vector<std::byte> texels;
+    for (std::uint32_t t = 0; t < level.texelCount(); ++t) {
+        const glm::dvec2 uv = centroid(level, texelAt(level, static_cast<TexelIndex>(t)));
+        const auto colour = colourAt(
+            glm::normalize(pointAt(corners, static_cast<float>(uv.x), static_cast<float>(uv.y))));
+        texels.insert(texels.end(), colour.begin(), colour.end());
+    }
+    return FaceTexels::full(level, 3, texels);
+}
+
+const Scene& scene()
+{
+    static const Scene made = [] {
+        NoProgress progress;
+        Scene s;
+        s.surface = Surface::build(test::sphereMesh(1), progress).value();
+        const TriangleMesh& mesh = s.surface->mesh();
+        s.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
+                              TexelFormat(),
+                              Level(4),
+                              colourAt({0, 0, 0}));
+        for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+            s.texels.exchange(faceId(f), painted(mesh, faceId(f), Level(f % 3 == 0 ? 4 : 5)));
+        }
+        s.shapes =
+            std::make_shared<FilterSurface>(FilterSurface::fromMesh(mesh, s.surface->adjacency()));
+        return s;
+    }();
+    return made;
+}
+
+FilterScene filterScene(const TexelStore& texels)
+{
+    NoProgress progress;
+    return FilterScene::build(scene().shapes, texels, Threads{2}, progress).value();
+}
+
+/// Sees the whole sphere at between one and two texels a pixel.
+SceneViews farViews()
+{
+    return {{{"far", {4, 2, 3}, {0, 0, 0}, {0, 1, 0}, 30, 140, 140}}, {}};
+}
+
+FitPlan planned(const SceneViews& views, double tolerance = kTolerance, unsigned threads = 2)
+{
+    NoProgress progress;
+    return planFit(*scene().surface, scene().texels, {views, tolerance}, Threads{threads}, progress)
+        .value();
+}
+
+const FitPlan& farPlan()
+{
+    static const FitPlan plan = planned(farViews());
+    return plan;
+}
+
+TexelStore fittedStore(const FitPlan& plan)
+{
+    TexelStore texels = scene().texels;
+    applyFit(plan, texels);
+    return texels;
+}
+
+PictureError errorOf(const FilterScene& before, const FilterScene& after, const ViewCamera& view)
+{
+    NoProgress progress;
+    const auto queries = viewQueries(*scene().surface, view, {5, 3}, Threads{2}, progress);
+    return pictureError(before, after, queries->queries.queries(), Threads{2}, progress).value();
+}
+
+/// The promise. (A benchmark does the same with the sample scene and a hundred views.)
+TEST(Fit, noCoveredViewExceedsTheTolerance)
+{
+    const FilterScene before = filterScene(scene().texels);
+    for (const SceneViews& views : {farViews(), SceneViews{{}, {{"any", 5, 40, 140, 140}}}}) {
+        const FitPlan plan = planned(views);
+        EXPECT_LT(plan.cost.texelsAfter, plan.cost.texelsBefore * 3 / 4) << "worth testing";
+        const FilterScene after = filterScene(fittedStore(plan));
+        test::CoveredViews covered(*scene().surface, views, 11);
+        double worst = 0;
+        for (int k = 0; k < 8; ++k) {
+            const PictureError error = errorOf(before, after, covered.next());
+            EXPECT_GT(error.pixels, 100U);
+            EXPECT_LE(error.rms, kTolerance) << "view " << k;
+            worst = std::max(worst, error.rms);
+        }
+        EXPECT_GT(worst, 0.1 * kTolerance) << "the tolerance is made use of";
+    }
+}
+
+TEST(Fit, levelsNeverRiseAndConstantFacesStayConstant)
+{
+    const FitPlan& plan = farPlan();
+    const TexelStore after = fittedStore(plan);
+    for (std::uint32_t f = 0; f < after.faceCount(); ++f) {
+        const FaceTexels& was = scene().texels.face(faceId(f));
+        EXPECT_LE(plan.levels[faceId(f)], was.level());
+        EXPECT_EQ(after.face(faceId(f)).level(), plan.levels[faceId(f)]);
+        if (was.isConstant()) {
+            EXPECT_TRUE(after.face(faceId(f)).isConstant());
+        }
+        if (plan.levels[faceId(f)] == was.level()) {
+            EXPECT_EQ(after.face(faceId(f)), was);
+        }
+    }
+    EXPECT_EQ(plan.cost, levelCost(scene().texels, plan.levels));
+    EXPECT_EQ(after.texelCount(), plan.cost.texelsAfter);
+}
+
+TEST(Fit, undoBringsBackEveryTexel)
+{
+    const FitPlan& plan = farPlan();
+    TexelStore texels = scene().texels;
+    TexelPatch patch = applyFit(plan, texels);
+    patch.swap(texels);
+    for (std::uint32_t f = 0; f < texels.faceCount(); ++f) {
+        EXPECT_EQ(texels.face(faceId(f)), scene().texels.face(faceId(f)));
+    }
+}
+
+TEST(Fit, doesNotDependOnThreads)
+{
+    const FitPlan& one = farPlan();
+    const FitPlan many = planned(farViews(), kTolerance, 1);
+    EXPECT_EQ(one.levels, many.levels);
+    EXPECT_EQ(one.errors, many.errors);
+    const TexelStore a = fittedStore(one);
+    const TexelStore b = fittedStore(many);
+    for (std::uint32_t f = 0; f < a.faceCount(); ++f) {
+        EXPECT_EQ(a.face(faceId(f)), b.face(faceId(f)));
+    }
+}
+
+TEST(Fit, aWiderToleranceNeedsFewerTexels)
+{
+    EXPECT_LT(planned(farViews(), 5 * kTolerance).cost.texelsAfter, farPlan().cost.texelsAfter);
+}
+
+TEST(Fit, facesInNoPictureGoToTheLowestLevel)
+{
+    SceneViews views = farViews();
+    views.cameras[0].target = {0.9, 0.4, 0.2};
+    views.cameras[0].fovY = 3;
+    const FitPlan plan = planned(views);
+    EXPECT_GT(plan.unseenFaces, 40U);
+    EXPECT_LT(plan.unseenFaces, 80U);
+    std::uint32_t lowest = 0;
+    for (const Level level : plan.levels.values()) {
+        lowest += level == Level(0) ? 1 : 0;
+    }
+    EXPECT_GE(lowest, plan.unseenFaces);
+}
+
+TEST(Fit, refusesWhatItCannotUse)
+{
+    NoProgress progress;
+    const auto complaint = [&](const FitSettings& settings) {
+        const auto plan = planFit(*scene().surface, scene().texels, settings, Threads{1}, progress);
+        return plan ? std::string("accepted") : plan.error().message;
+    };
+    EXPECT_THAT(complaint({farViews(), 0}), testing::HasSubstr("tolerance: expected"));
+    EXPECT_THAT(complaint({farViews(), std::nan("")}), testing::HasSubstr("tolerance: expected"));
+    EXPECT_THAT(complaint({{}, 0.1}), testing::HasSubstr("at least one camera"));
+}
+
+class StopAt final : public Progress
+{
+public:
+    explicit StopAt(double fraction)
+        : m_fraction(fraction)
+    {
+    }
+    bool report(double fraction) override { return fraction < m_fraction; }
+
+private:
+    double m_fraction;
+};
+
+TEST(Fit, canBeCancelledAtAnyStage)
+{
+    for (const double fraction : {0.0, 0.05, 0.3}) {
+        StopAt progress(fraction);
+        const auto plan = planFit(
+            *scene().surface, scene().texels, {farViews(), kTolerance}, Threads{2}, progress);
+        ASSERT_FALSE(plan) << fraction;
+        EXPECT_EQ(plan.error().kind, ErrorKind::Cancelled);
+    }
+}
+
+TEST(FitMethod, isWithinTheToleranceAndNoneIsCheaper)
+{
+    const FilterScene before = filterScene(scene().texels);
+    NoProgress progress;
+    const auto rough = fitMethod(*scene().surface, before, farViews(), 0.05, Threads{2}, progress);
+    ASSERT_TRUE(rough && *rough);
+    EXPECT_LE((*rough)->rms, 0.05);
+    EXPECT_GT((*rough)->nanoseconds, 0);
+    const auto never = fitMethod(*scene().surface, before, farViews(), 1e-12, Threads{2}, progress);
+    ASSERT_TRUE(never);
+    EXPECT_FALSE(*never);
+}
+
+TEST(SubdivisionErrors, fallAndStopAtTheBound)
+{
+    const SceneViews views{{{"v", {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 30, 400, 400}}, {}};
+    const auto errors = subdivisionErrors(test::sphereMesh(0), views, 0.25);
+    ASSERT_GE(errors.size(), 3U);
+    EXPECT_EQ(errors[0].faces, 20U);
+    EXPECT_EQ(errors[1].faces, 80U);
+    for (std::size_t k = 1; k < errors.size(); ++k) {
+        // By four where the mesh is regular, less about the vertices of five edges.
+        EXPECT_GT(errors[k - 1].pixels / errors[k].pixels, 2);
+        EXPECT_GT(errors[k - 1].pixels, 0.25);
+    }
+    EXPECT_LE(errors.back().pixels, 0.25);
+}
+
+} // namespace
+} // namespace trixel
