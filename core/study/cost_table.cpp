@@ -130,6 +130,7 @@ Result<CostTable> measureCostTable(Progress& progress)
     options.rounds = 2;
     options.secondsAtMost = 0.6;
     options.secondsOfRounds = 0.15;
+    options.withAuto = false;
     StageProgress measuring(progress, 0.4, 1);
     Unwatched watcher(measuring);
     return measureSpeedAccuracy(*subjects, tableContestants(*subjects), options, watcher)

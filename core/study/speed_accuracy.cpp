@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/speed_accuracy.h"
 
+#include "core/study/auto_contestants.h"
 #include "core/study/contest_run.h"
 #include "core/study/machine.h"
 
@@ -122,12 +123,20 @@ public:
         return true;
     }
 
-    Study finish()
+    /// What is known so far.
+    Study measured() const
     {
+        Study study = m_study;
         for (const auto& run : m_runs) {
             const auto points = run->points();
-            m_study.points.insert(m_study.points.end(), points.begin(), points.end());
+            study.points.insert(study.points.end(), points.begin(), points.end());
         }
+        return study;
+    }
+
+    Study finish()
+    {
+        m_study = measured();
         markFront(m_study.points);
         for (const StudyPoint& point : m_study.points) {
             m_watcher.measured(point);
@@ -161,6 +170,7 @@ Result<Study> measureSpeedAccuracy(const std::vector<StudySubject>& subjects,
                                    StudyWatcher& watcher)
 {
     check(!subjects.empty(), "a subject to measure on");
+    Contestants chosen; // outlive the contest
     Contest contest(subjects, options, watcher);
     StageProgress judging(watcher, 0, 0.4);
     for (std::size_t k = 0; k < contestants.size(); ++k) {
@@ -168,6 +178,12 @@ Result<Study> measureSpeedAccuracy(const std::vector<StudySubject>& subjects,
             return cancelled();
         }
         contest.enter(*contestants[k]);
+    }
+    if (options.withAuto) {
+        chosen = autoContestants(contest.measured(), subjects);
+        for (const auto& contestant : chosen) {
+            contest.enter(*contestant);
+        }
     }
     StageProgress timing(watcher, 0.4, 1);
     if (!contest.timeRounds(timing)) {

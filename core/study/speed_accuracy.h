@@ -24,6 +24,8 @@ struct SpeedAccuracyOptions
     /// Processor time for all rounds of one contestant: who is slow is timed less often, at least
     /// once.
     double secondsOfRounds = 2;
+    /// Whether `auto` enters too, at several tolerances, by what was measured before.
+    bool withAuto = true;
 };
 
 /// Times one thread's processor time for each sample and judges each answer, over all subjects

@@ -73,7 +73,8 @@ TEST_F(CliStudy, speedAccuracyMeasuresEveryMethodOnTheUsersAsset)
                              "ewa",
                              "reference-loop",
                              "exact",
-                             "OpenImageIO"}) {
+                             "OpenImageIO",
+                             "auto"}) {
         EXPECT_GT(series[name], 0) << name;
     }
     // As many lines as points, and the header.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/auto_contestants.h"
 #include "core/study/auto_method.h"
 #include "core/study/contest.h"
 #include "core/study/error_sums.h"
@@ -52,6 +53,7 @@ const CostTable& measuredTable()
         SpeedAccuracyOptions options;
         options.rounds = 1;
         options.secondsOfRounds = 0.1;
+        options.withAuto = false;
         test::RememberingWatcher watcher;
         return costTableOf(measureSpeedAccuracy(subjects(), contestants, options, watcher).value());
     }();
@@ -234,6 +236,37 @@ TEST(AutoMethod, noCheaperEntryOfTheTableWouldDo)
             EXPECT_TRUE(e.cost >= chosen.cost || e.rms > tolerance) << toText(e.method);
         }
     }
+}
+
+TEST(AutoContestants, enterOnceForEachToleranceThatChangesTheChoice)
+{
+    // Deterministic figures: costs are those of the table, not measured.
+    Study study;
+    for (const CostEntry& e : twoMethods().entries) {
+        StudyPoint point;
+        point.series = e.method.name;
+        point.method = e.method;
+        point.footprintClass = e.footprintClass;
+        point.cost = e.cost;
+        point.rms = e.rms;
+        study.points.push_back(point);
+    }
+    const Contestants contestants = autoContestants(study, subjects());
+    // 0.1 takes points everywhere; 0.05, 0.02 and 0.01 differ; 0.007 and 0.005 are both trilinear;
+    // 0.002 is nobody.
+    std::vector<std::string> variants;
+    for (const auto& contestant : contestants) {
+        EXPECT_EQ(contestant->series(), "auto");
+        EXPECT_FALSE(contestant->method());
+        variants.push_back(contestant->variant());
+    }
+    EXPECT_THAT(variants,
+                testing::ElementsAre("tolerance 0.1",
+                                     "tolerance 0.05",
+                                     "tolerance 0.02",
+                                     "tolerance 0.01",
+                                     "tolerance 0.007"));
+    EXPECT_THAT(autoContestants(Study(), subjects()), testing::IsEmpty());
 }
 
 TEST(CostTable, measuringStopsWhenCancelled)
