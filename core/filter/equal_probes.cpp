@@ -105,7 +105,8 @@ MethodEntry equalProbesMethod()
                                       .least = 1,
                                       .most = 256,
                                       .standard = 16,
-                                      .curve = {2, 4, 8, 16}};
+                                      .curve = {2, 4, 8, 16},
+                                      .whole = true};
     entry.make = [](double parameter) -> std::unique_ptr<const FilterMethod> {
         return std::make_unique<EqualProbes>(static_cast<int>(parameter));
     };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace trixel {
 namespace {
@@ -78,11 +79,12 @@ Result<MethodChoice> parseMethod(std::string_view text)
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     const MethodParameter& parameter = *entry->parameter;
     if (error != std::errc() || end != number.data() + number.size() ||
-        !(value >= parameter.least && value <= parameter.most)) {
-        return contentsError("The filter method '" + choice.name + "' takes " +
-                             std::string(parameter.name) + " from " + shortest(parameter.least) +
-                             " to " + shortest(parameter.most) + ", found '" + std::string(number) +
-                             "'.");
+        !(value >= parameter.least && value <= parameter.most) ||
+        (parameter.whole && value != std::floor(value))) {
+        return contentsError(
+            "The filter method '" + choice.name + "' takes " + std::string(parameter.name) +
+            " from " + shortest(parameter.least) + " to " + shortest(parameter.most) +
+            (parameter.whole ? ", a whole number" : "") + ", found '" + std::string(number) + "'.");
     }
     choice.parameter = value;
     return choice;

@@ -59,6 +59,7 @@ struct MethodParameter
     double most = 1;
     double standard = 1;
     std::vector<double> curve; ///< values that the chart measures, ascending
+    bool whole = false;        ///< whether it counts something, so that fractions are refused
 };
 
 struct MethodEntry

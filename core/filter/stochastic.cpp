@@ -134,7 +134,8 @@ MethodEntry stochasticMethod()
                                       .least = 1,
                                       .most = 4096,
                                       .standard = 16,
-                                      .curve = {1, 4, 16, 64}};
+                                      .curve = {1, 4, 16, 64},
+                                      .whole = true};
     entry.make = [](double parameter) -> std::unique_ptr<const FilterMethod> {
         return std::make_unique<Stochastic>(static_cast<int>(parameter));
     };

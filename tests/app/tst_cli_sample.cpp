@@ -181,6 +181,7 @@ TEST_F(Sample, whatIsWrongGetsASentenceAndNoFile)
     queries();
     EXPECT_THAT(sample(from, "nearest"), FailsWith(kUnusable, "no filter method 'nearest'"));
     EXPECT_THAT(sample(from, "stochastic:5000"), FailsWith(kUnusable, "from 1 to 4096"));
+    EXPECT_THAT(sample(from, "stochastic:2.5"), FailsWith(kUnusable, "a whole number"));
     EXPECT_THAT(sample(from, "trilinear:2"), FailsWith(kUnusable, "takes no parameter"));
     EXPECT_THAT(sample(from, "point", {"--tolerance", "0.1"}), FailsWith(kUnusable, "--tolerance"));
     for (const char* tolerance : {"0", "-1", "nan", "1%"}) {
