@@ -114,10 +114,11 @@ QVariant SeamModel::data(const QModelIndex& index, int role) const
         return int(Qt::AlignRight | Qt::AlignVCenter);
     }
     if (role == Qt::ToolTipRole) {
-        return tr("Largest jump %1 % of the value range, %2 % of the way along the edge; "
-                  "click to go there")
+        return tr("Largest jump %1 % of the value range, %2 % of the way along the edge; mean %3 "
+                  "%. Click to go there")
             .arg(percent(jump.jump))
-            .arg(100 * jump.along, 0, 'f', 0);
+            .arg(100 * jump.along, 0, 'f', 0)
+            .arg(percent(jump.mean));
     }
     if (role != Qt::DisplayRole) {
         return {};

@@ -158,7 +158,7 @@ QTableView* SeamPanel::makeTable()
         return fontMetrics().horizontalAdvance(text) + kPadding;
     };
     columns->resizeSection(SeamModel::Jump, widthOf("Jump %") + kSortArrow);
-    columns->resizeSection(SeamModel::Mean, widthOf("00.000"));
+    m_table->setColumnHidden(SeamModel::Mean, true); // the dock is narrow; tool tips tell it
     columns->resizeSection(SeamModel::Face, widthOf("000000"));
     columns->resizeSection(SeamModel::Edge, widthOf("e0|e0"));
     columns->resizeSection(SeamModel::Neighbour, widthOf("000000"));
