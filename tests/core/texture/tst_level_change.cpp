@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/texture/level_change.h"
 #include "core/lattice/texel.h"
+#include "core/texture/level_change.h"
 #include "core/texture/mips.h"
+#include "core/texture/refinement.h"
 #include "tests/core/test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -146,6 +147,24 @@ TEST_P(LevelChangeOf, constantFacesStayConstantAndUndoBringsBackTheBits)
         for (const FaceId face : allFaces(store)) {
             EXPECT_EQ(store.face(face), after.face(face));
         }
+    }
+}
+
+/// All four children end in one half: rounded one by one their mean would be another.
+TEST(LevelChange, roundingKeepsTheMeanEvenBetweenHalves)
+{
+    const TexelFormat format{TexelType::UInt8, 1, std::nullopt};
+    for (int parent = 4; parent < 252; ++parent) {
+        const auto stored = static_cast<std::byte>(parent);
+        const FaceTexels face = FaceTexels::full(Level(0), 1, std::span(&stored, 1));
+        std::array<float, 3 * kGroupChannels> averages{};
+        averages[0] = static_cast<float>(parent + 2) / 255;
+        averages[kGroupChannels] = static_cast<float>(parent - 2) / 255;
+        averages[2 * kGroupChannels] = static_cast<float>(parent - 4) / 255;
+        const LevelVertices vertices{averages.data(), kGroupChannels};
+        const FaceTexels finer = refined(format, face, std::span(&vertices, 1));
+        EXPECT_FALSE(finer.collapsed().isConstant());
+        EXPECT_EQ(reduced(format, finer), face) << parent;
     }
 }
 
