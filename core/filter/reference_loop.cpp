@@ -4,7 +4,8 @@
 // yardstick of speed. Plain scalar loops over the bounding hexagon of the ellipse, as there.
 //   * Every face counts as equilateral; neighbours are reached by Ptex's affine map.
 //   * The ellipse is widened until its axes differ by 15 at most, and by half a texel of the hit
-//     face; it is cut at 3.5 standard deviations, and at one face in each direction.
+//     face; it is cut at 3.5 standard deviations, and at one face in each direction. The parameter
+//     moves that last cut: with it away the same loop sees the whole ellipse.
 //   * One level, from the exponent of its width: a hard switch.
 // Differences: texels are floats that nothing truncated on the way, sums are not rounded to the
 // type of the texture, and no input gives a NaN.
@@ -21,6 +22,8 @@ namespace {
 
 constexpr float kCut = 3.5F;
 constexpr float kMostEccentric = 15.0F;
+/// Faces within so many edges have 4,096 texels at level 0, where the widest footprints are read.
+constexpr float kMostEdges = 26.0F;
 
 /// One barycentric coordinate of the footprint.
 struct Span
@@ -60,7 +63,8 @@ struct Sums
     std::uint32_t taps = 0;
 };
 
-Kernel kernelOf(const FilterQueries& queries, std::size_t i, Level level)
+/// \param edges  at which the ellipse is cut on every side
+Kernel kernelOf(const FilterQueries& queries, std::size_t i, Level level, float edges)
 {
     const auto limited = [](float u, float v) {
         const bool finite = std::isfinite(u) && std::isfinite(v);
@@ -100,7 +104,7 @@ Kernel kernelOf(const FilterQueries& queries, std::size_t i, Level level)
     const std::array<float, 3> variances = {
         kScale * (uuBlurred + 2 * uvBlurred + vvBlurred), kScale * uuBlurred, kScale * vvBlurred};
     for (std::size_t k = 0; k < 3; ++k) {
-        const float reach = std::min(std::sqrt(variances[k]), 1.0F);
+        const float reach = std::min(std::sqrt(variances[k]), edges);
         kernel.spans[k] = {centres[k], centres[k] - reach, centres[k] + reach, variances[k]};
     }
     return kernel;
@@ -201,8 +205,15 @@ void addFace(const FilterScene& scene, FaceId face, int group, Kernel kernel, Su
     }
 }
 
+/// Whether no point has its three coordinates, which sum to 1, within their spans.
+bool isEmpty(const Kernel& kernel)
+{
+    const auto& [w, u, v] = kernel.spans;
+    return w.low + u.low + v.low >= 1 || w.high + u.high + v.high <= 1;
+}
+
 /// Cuts off what lies beyond each edge and hands it to the neighbour, then reads the face itself.
-/// Ends: the lines of one direction are one edge apart, the kernel reaches one edge from its
+/// Ends: the lines of one direction are one edge apart, the kernel reaches a few edges from its
 /// centre, and no part is handed back across the line where it was cut off.
 void splitAndAdd(const FilterScene& scene, FaceId face, int group, Kernel kernel, Sums& sums)
 {
@@ -213,7 +224,10 @@ void splitAndAdd(const FilterScene& scene, FaceId face, int group, Kernel kernel
         if (across) {
             Kernel beyond = kernel;
             beyond.spans[(indexOf(edge) + 2) % 3].high = 0;
-            splitAndAdd(scene, across->face, group, acrossEdge(beyond, edge, across->edge), sums);
+            if (!isEmpty(beyond)) {
+                const Kernel there = acrossEdge(beyond, edge, across->edge);
+                splitAndAdd(scene, across->face, group, there, sums);
+            }
             height.low = 0;
         }
     }
@@ -223,6 +237,11 @@ void splitAndAdd(const FilterScene& scene, FaceId face, int group, Kernel kernel
 class ReferenceLoop final : public FilterMethod
 {
 public:
+    explicit ReferenceLoop(double edges)
+        : m_edges(static_cast<float>(edges))
+    {
+    }
+
     void filter(const FilterScene& scene,
                 const FilterQueries& queries,
                 const FilterResults& results) const override
@@ -231,7 +250,8 @@ public:
         for (std::size_t i = 0; i < queries.size(); ++i) {
             const FaceId face = queries.face[i];
             const bool hasCentre = std::isfinite(queries.u[i]) && std::isfinite(queries.v[i]);
-            const Kernel kernel = hasCentre ? kernelOf(queries, i, scene.level(face)) : Kernel{};
+            const Kernel kernel =
+                hasCentre ? kernelOf(queries, i, scene.level(face), m_edges) : Kernel{};
             QueryCost cost{0, 1};
             for (int group = 0; group < scene.mips().groups(); ++group) {
                 GroupValue value{};
@@ -260,6 +280,8 @@ private:
         const int level = std::min(kernel.log2, scene.level(face).log2());
         return {static_cast<float>(level), sums.taps};
     }
+
+    float m_edges;
 };
 
 } // namespace
@@ -273,8 +295,15 @@ MethodEntry referenceLoopMethod()
                   "level, anisotropy cut at 15.";
     // A constant is kept to 1e-6 only: sums of a few thousand floats, as in the library.
     entry.claims = {.constantKept = Claim::No};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<ReferenceLoop>();
+    entry.parameter = MethodParameter{"edges",
+                                      "Edges of a face at which the footprint is cut on every "
+                                      "side; the library has 1.",
+                                      1,
+                                      kMostEdges,
+                                      1,
+                                      {1, kMostEdges}};
+    entry.make = [](double edges) -> std::unique_ptr<const FilterMethod> {
+        return std::make_unique<ReferenceLoop>(edges);
     };
     return entry;
 }

@@ -2,7 +2,6 @@
 #include "core/filter/unfolding.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace trixel {
 namespace {
@@ -21,28 +20,32 @@ double squaredDistance(glm::dvec2 a, glm::dvec2 b)
     return glm::dot(nearest, nearest);
 }
 
+using Corners = std::array<glm::dvec2, 3>;
+
 /// Distance from the origin to the triangle, which turns left.
-double distanceTo(const PlacedFace& place)
+double distanceTo(const Corners& c)
 {
-    const glm::dvec2 a = place.corner(0);
-    const glm::dvec2 b = place.corner(1);
-    const glm::dvec2 c = place.corner(2);
-    const double squared =
-        std::min({squaredDistance(a, b), squaredDistance(b, c), squaredDistance(c, a)});
-    const double inside = std::min({cross(a, b), cross(b, c), cross(c, a)});
+    const double squared = std::min(
+        {squaredDistance(c[0], c[1]), squaredDistance(c[1], c[2]), squaredDistance(c[2], c[0])});
+    const double inside = std::min({cross(c[0], c[1]), cross(c[1], c[2]), cross(c[2], c[0])});
     return inside >= 0 ? 0.0 : std::sqrt(squared);
 }
 
-/// Where the rule of the header puts a face, rounded to 30 bits so that rounding errors do not
-/// decide between equals.
-double keyOf(const PlacedFace& place)
+Corners cornersOf(const PlacedFace& place)
 {
-    constexpr double kCentroidShare = 1.0 / 65536;
-    const glm::dvec2 centroid = place.origin + (place.e1 + place.e2) / 3.0;
-    const double key = place.distance + kCentroidShare * glm::length(centroid);
-    constexpr std::uint64_t kLowBits = (std::uint64_t{1} << 23U) - 1;
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(key);
-    return std::bit_cast<double>((bits + kLowBits / 2 + 1) & ~kLowBits);
+    return {place.corner(0), place.corner(1), place.corner(2)};
+}
+
+Corners toUnit(const EllipseFrame& frame, const Corners& c)
+{
+    return {frame.toUnit(c[0]), frame.toUnit(c[1]), frame.toUnit(c[2])};
+}
+
+/// Where the rule of the header puts a face.
+double keyOf(double way, const Corners& unit)
+{
+    constexpr double kCentroidShare = 1.0 / 16384;
+    return way + kCentroidShare * glm::length(unit[0] + unit[1] + unit[2]) / 3;
 }
 
 glm::dvec2 shapeCorner(const FaceShape& shape, std::size_t index)
@@ -65,9 +68,7 @@ laidOnto(FaceId face, const FaceShape& shape, LocalEdge edge, glm::dvec2 start, 
     const auto turned = [turn](glm::dvec2 p) {
         return glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
     };
-    PlacedFace place{face, start - turned(own), turned(shape.e1), turned(shape.e2)};
-    place.distance = distanceTo(place);
-    return place;
+    return {face, start - turned(own), turned(shape.e1), turned(shape.e2)};
 }
 
 } // namespace
@@ -90,6 +91,7 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
     m_laid.clear();
     m_offers.clear();
     m_waiting.clear();
+    m_reached = 0;
     if (++m_stamp == 0) {
         std::ranges::fill(m_slots, Slot{});
         m_stamp = 1;
@@ -99,10 +101,11 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
     offerNeighbours(surface, m_laid.back(), frame, cut);
     while (!m_waiting.empty() && m_laid.size() < mostFaces) {
         std::ranges::pop_heap(m_waiting, isLater);
-        const Candidate next = m_waiting.back();
+        const FaceId next = m_waiting.back().face;
         m_waiting.pop_back();
-        if (!isLaid(next.face)) {
-            const PlacedFace place = m_offers[next.offer];
+        const Slot& slot = slotOf(next);
+        if (!slot.laid) {
+            const PlacedFace place = m_offers[slot.offer];
             lay(place);
             offerNeighbours(surface, place, frame, cut);
         }
@@ -110,17 +113,14 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
     return m_laid;
 }
 
-bool Unfolding::isLater(const Candidate& a, const Candidate& b)
+bool Unfolding::isLater(const Waiting& a, const Waiting& b)
 {
-    if (a.key != b.key) {
-        return a.key > b.key;
-    }
-    return a.parent != b.parent ? a.parent > b.parent : a.face > b.face;
+    return a.key != b.key ? a.key > b.key : a.face > b.face;
 }
 
 void Unfolding::lay(const PlacedFace& place)
 {
-    markLaid(place.face);
+    reach(place.face).laid = true;
     m_laid.push_back(place);
 }
 
@@ -129,64 +129,96 @@ void Unfolding::offerNeighbours(const FilterSurface& surface,
                                 const EllipseFrame& frame,
                                 double cut)
 {
-    const std::array<glm::dvec2, 3> corners = {place.corner(0), place.corner(1), place.corner(2)};
-    const std::array<glm::dvec2, 3> units = {
-        frame.toUnit(corners[0]), frame.toUnit(corners[1]), frame.toUnit(corners[2])};
+    const Corners corners = cornersOf(place);
+    const Corners unit = toUnit(frame, corners);
     for (const LocalEdge edge : kLocalEdges) {
         const std::size_t k = indexOf(edge);
         const std::size_t next = (k + 1) % 3;
         const auto across = surface.adjacency().neighbour(place.face, edge);
-        if (!across || isLaid(across->face) || squaredDistance(units[k], units[next]) > cut * cut) {
+        if (!across || isLaid(across->face)) {
+            continue;
+        }
+        const double toEdge = squaredDistance(unit[k], unit[next]);
+        if (toEdge > cut * cut) {
             continue;
         }
         // The neighbour runs along the edge the other way.
-        const PlacedFace neighbour = laidOnto(
+        PlacedFace neighbour = laidOnto(
             across->face, surface.shape(across->face), across->edge, corners[next], corners[k]);
+        const Corners neighbourUnit = toUnit(frame, cornersOf(neighbour));
+        neighbour.distance = distanceTo(neighbourUnit);
         // Around a vertex distances are equal but for rounding.
         constexpr double kSlack = 1e-6;
-        const double slack = kSlack * glm::length(corners[next] - corners[k]);
-        if (neighbour.distance < place.distance - slack) {
+        const double slack = kSlack * glm::length(unit[next] - unit[k]);
+        if (neighbour.distance < place.distance - slack ||
+            4 * (neighbour.distance + slack) * (neighbour.distance + slack) < toEdge) {
             continue;
         }
-        m_waiting.push_back({keyOf(neighbour),
-                             place.face,
-                             neighbour.face,
-                             static_cast<std::uint32_t>(m_offers.size())});
-        m_offers.push_back(neighbour);
+        neighbour.way = std::max(place.way, std::sqrt(toEdge));
+        offer(neighbour, place.face, keyOf(neighbour.way, neighbourUnit));
+    }
+}
+
+void Unfolding::offer(const PlacedFace& place, FaceId parent, double key)
+{
+    constexpr double kEqual = 1e-6;
+    const std::size_t before = m_reached;
+    Slot& slot = reach(place.face);
+    const bool isNew = m_reached != before;
+    const bool nearer = isNew || key < slot.key;
+    const bool better = isNew || key < slot.key * (1 - kEqual) ||
+                        (key <= slot.key * (1 + kEqual) && parent < slot.parent);
+    if (nearer) {
+        m_waiting.push_back({key, place.face});
         std::ranges::push_heap(m_waiting, isLater);
     }
+    if (better) {
+        slot.key = key;
+        slot.parent = parent;
+        slot.offer = static_cast<std::uint32_t>(m_offers.size());
+        m_offers.push_back(place);
+    }
 }
 
-bool Unfolding::isLaid(FaceId face) const
+bool Unfolding::isLaid(FaceId face)
 {
-    return m_slots[slotOf(face)].stamp == m_stamp;
+    const Slot& slot = slotOf(face);
+    return slot.stamp == m_stamp && slot.laid;
 }
 
-void Unfolding::markLaid(FaceId face)
+/// The face's slot, entered if it was not.
+Unfolding::Slot& Unfolding::reach(FaceId face)
 {
-    if (4 * m_laid.size() >= 3 * m_slots.size()) {
+    if (4 * m_reached >= 3 * m_slots.size()) {
         growTable();
     }
-    m_slots[slotOf(face)] = {m_stamp, face};
+    Slot& slot = slotOf(face);
+    if (slot.stamp != m_stamp) {
+        slot = Slot{m_stamp, face, false, 0, FaceId{}, 0};
+        ++m_reached;
+    }
+    return slot;
 }
 
 /// The face's slot, or the free one where it belongs.
-std::size_t Unfolding::slotOf(FaceId face) const
+Unfolding::Slot& Unfolding::slotOf(FaceId face)
 {
     const std::size_t mask = m_slots.size() - 1; // a power of two
     std::size_t slot = (indexOf(face) * 0x9E3779B97F4A7C15ULL >> 32U) & mask;
     while (m_slots[slot].stamp == m_stamp && m_slots[slot].face != face) {
         slot = (slot + 1) & mask;
     }
-    return slot;
+    return m_slots[slot];
 }
 
 void Unfolding::growTable()
 {
-    m_slots.assign(2 * m_slots.size(), Slot{});
-    m_stamp = 1;
-    for (const PlacedFace& place : m_laid) {
-        m_slots[slotOf(place.face)] = {m_stamp, place.face};
+    std::vector<Slot> before(2 * m_slots.size());
+    before.swap(m_slots);
+    for (const Slot& slot : before) {
+        if (slot.stamp == m_stamp) {
+            slotOf(slot.face) = slot;
+        }
     }
 }
 

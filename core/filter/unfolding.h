@@ -7,17 +7,21 @@
 //     each across an edge of one already laid, and each once.
 //   * An edge is crossed where the cut ellipse touches it. On a flat surface that reaches every
 //     face under the ellipse that is seen from the centre.
-//   * No face is laid nearer to the query's point than the face it is laid from, so that no chain
-//   of
-//     faces goes out and folds back over those that lie near.
-//   * Nearest first: of all faces that wait, the next is the one with the least
-//     d + 2⁻¹⁶ c, where d is the distance from the query's point to the nearest point of the face
-//     as it would be laid and c that to its centroid. Faces that share the point all have d = 0, so
-//     they are laid before the others whichever of them was hit: that makes the answer the same
-//     from both sides of an edge. Behind a vertex all faces have d in common; c lets the two ways
-//     around it meet opposite the point.
-//   * Keys are compared to 30 bits; of equal ones the lower id of the face across whose edge it
-//     would be laid goes first, then the lower id of the face. No rule looks at vertex order.
+//   * Distances are from the query's point in the metric of the footprint, in standard deviations.
+//     The way to a face is as long as the most distant edge crossed on it, an edge being as far as
+//     its nearest point.
+//   * Shortest way first: of all faces that wait, the next is the one with the least key
+//     d + 2⁻¹⁴ c, where d is the length of its way and c the distance to its centroid. Faces that
+//     share the point all have d = 0, so they are laid before the others whichever of them was hit:
+//     that makes the answer the same from both sides of an edge. Behind a vertex all faces have d
+//     in common; c lets the two ways around it meet opposite the point. What a narrower cut reaches
+//     is what a wider one lays first, so that filters of different cuts see the same faces in the
+//     same places.
+//   * Nothing folds back over what lies near: no face is laid nearer than the face it is laid from,
+//     nor less than half as far as the edge it is laid across.
+//   * A face that waits at several edges is laid where its key is least; where keys differ by less
+//     than 1e-6 of themselves, which is what rounding and symmetry do, across the edge of the face
+//     with the lowest id. No rule looks at vertex order.
 // What it cannot do: where the angles about a vertex do not add up to a full turn, no plane holds
 // all of its faces, and as the point moves around the vertex the cut behind it jumps.
 #pragma once
@@ -70,7 +74,8 @@ struct PlacedFace
     glm::dvec2 origin{0};
     glm::dvec2 e1{0};
     glm::dvec2 e2{0};
-    double distance = 0; ///< from the origin to the nearest point of the face
+    double distance = 0; ///< from the origin to its nearest point, in standard deviations
+    double way = 0;      ///< d of the rule above
 
     glm::dvec2 corner(std::size_t index) const
     {
@@ -97,39 +102,42 @@ public:
                                        std::size_t mostFaces = SIZE_MAX);
 
 private:
-    /// A face that waits to be laid, where m_offers[offer] says.
-    struct Candidate
+    /// A face that waits to be laid.
+    struct Waiting
     {
         double key = 0;
-        FaceId parent{};
         FaceId face{};
-        std::uint32_t offer = 0;
     };
-    static bool isLater(const Candidate& a, const Candidate& b);
+    /// A face that was reached by this query: its stamp is the query's.
+    struct Slot
+    {
+        std::uint32_t stamp = 0;
+        FaceId face{};
+        bool laid = false;
+        std::uint32_t offer = 0; ///< the place in m_offers where it is to be laid
+        FaceId parent{};         ///< across whose edge
+        double key = 0;
+    };
+    static bool isLater(const Waiting& a, const Waiting& b);
 
     void lay(const PlacedFace& place);
     void offerNeighbours(const FilterSurface& surface,
                          const PlacedFace& place,
                          const EllipseFrame& frame,
                          double cut);
+    void offer(const PlacedFace& place, FaceId parent, double key);
 
-    bool isLaid(FaceId face) const;
-    void markLaid(FaceId face);
-    std::size_t slotOf(FaceId face) const;
+    Slot& slotOf(FaceId face);
+    Slot& reach(FaceId face);
+    bool isLaid(FaceId face);
     void growTable();
 
-    /// A hash table of what was reached: its size follows the footprint, not the mesh. A slot
-    /// counts where its stamp is that of this query.
-    struct Slot
-    {
-        std::uint32_t stamp = 0;
-        FaceId face{};
-    };
-    std::vector<Slot> m_slots;
+    std::vector<Slot> m_slots; ///< a hash table whose size follows the footprint, not the mesh
     std::uint32_t m_stamp = 0;
+    std::size_t m_reached = 0;
     std::vector<PlacedFace> m_laid;
     std::vector<PlacedFace> m_offers;
-    std::vector<Candidate> m_waiting; ///< a heap
+    std::vector<Waiting> m_waiting; ///< a heap
 };
 
 } // namespace trixel

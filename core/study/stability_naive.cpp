@@ -25,7 +25,9 @@ TexelCoord texelOf(Number x, Number y)
     const Number j = std::floor(y);
     const TexelHalf half = (x - i) + (y - j) <= 1 ? TexelHalf::Lower : TexelHalf::Upper;
     const auto narrow = [](Number n) {
-        return static_cast<std::uint16_t>(static_cast<std::int64_t>(n)); // wraps, as indices do
+        // Wraps, as indices do; what is no number or no index at all becomes the last.
+        const bool isIndex = n > Number(-1e9) && n < Number(1e9);
+        return static_cast<std::uint16_t>(isIndex ? static_cast<std::int64_t>(n) : -1);
     };
     return {narrow(i), narrow(j), half};
 }

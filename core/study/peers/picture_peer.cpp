@@ -5,7 +5,7 @@
 #include "core/study/peers/peer_files.h"
 
 #include <array>
-#include <sstream>
+#include <string>
 
 namespace trixel {
 namespace {
@@ -51,11 +51,12 @@ private:
 class PicturePeer final : public Contestant
 {
 public:
-    PicturePeer(std::string variant,
+    PicturePeer(std::string series,
+                std::string variant,
                 const PictureFilter& filter,
                 std::shared_ptr<const Pictures> pictures,
                 const std::vector<StudySubject>& subjects)
-        : Contestant("OpenImageIO", std::move(variant), std::nullopt)
+        : Contestant(std::move(series), std::move(variant), std::nullopt)
         , m_filter(filter)
         , m_pictures(std::move(pictures))
         , m_subjects(subjects)
@@ -144,12 +145,14 @@ Status addPicturePeer(const std::vector<StudySubject>& subjects,
         return {};
     }
     peers.notes.push_back("OpenImageIO reads " + (*pictures)->atlases.front()->about() + ".");
-    for (const float width : {1.0F, kKernelWidth}) {
+    for (const bool widened : {false, true}) {
         for (const int anisotropy : {1, 4, 16, 64}) {
-            std::ostringstream variant;
-            variant << "anisotropy " << anisotropy << (width == 1.0F ? "" : ", widened");
             peers.contestants.push_back(std::make_unique<PicturePeer>(
-                variant.str(), PictureFilter{anisotropy, width, false}, *pictures, subjects));
+                widened ? "OpenImageIO, widened" : "OpenImageIO",
+                "anisotropy " + std::to_string(anisotropy),
+                PictureFilter{anisotropy, widened ? kKernelWidth : 1.0F, false},
+                *pictures,
+                subjects));
         }
     }
     return {};

@@ -5,7 +5,8 @@
 
 namespace trixel {
 
-/// OpenImageIO's TextureSystem, over its limit of anisotropy. Fails only when cancelled.
+/// OpenImageIO's TextureSystem, over its limit of anisotropy, with derivatives as
+/// they are and widened to the variance of our Gaussian. Fails only when cancelled.
 Status addPicturePeer(const std::vector<StudySubject>& subjects,
                       const std::filesystem::path& modules,
                       Progress& progress,

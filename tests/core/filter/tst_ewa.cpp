@@ -120,6 +120,34 @@ TEST(Ewa, comesNearerToExactTheMoreItReads)
     }
 }
 
+TEST(Ewa, comesAsNearToExactOnCurvedMeshesOfMixedLevels)
+{
+    const TriangleMesh mesh = irregularSphere(2, 3);
+    const FilterScene scene =
+        sceneOf(surfaceOf(mesh), storeOf(randomLevels(mesh.faceCount(), 3, 5, 3), noise(3)));
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<Query> queries;
+    for (int k = 0; k < 300; ++k) {
+        Query query = ellipseAt(random, 1, 1);
+        const auto size = static_cast<float>(std::exp2(-4 * unit(random)));
+        query.face = faceId(random() % mesh.faceCount());
+        query.w1 *= size;
+        query.w2 *= size * static_cast<float>(std::exp2(-4 * unit(random)));
+        queries.push_back(query);
+    }
+    const auto expected = ask(*method("exact"), scene, queries);
+    const std::array<std::pair<std::string_view, double>, 2> bounds = {
+        {{"ewa:1", 3e-3}, {"ewa-base", 5e-4}}};
+    for (const auto& [name, bound] : bounds) {
+        const auto answers = ask(*method(name), scene, queries);
+        EXPECT_LE(rms(answers, expected), bound) << name;
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            EXPECT_LE(difference(answers[i], expected[i]), 10 * bound) << name << " query " << i;
+        }
+    }
+}
+
 TEST(Ewa, takesTheVarianceOfMipsOff)
 {
     // On v² a filter answers the centre's square plus its own variance: what mips add must be gone.
@@ -137,7 +165,11 @@ TEST(Ewa, takesTheVarianceOfMipsOff)
 
 TEST(Ewa, readsNoMoreThanItsCap)
 {
-    const TriangleMesh mesh = irregularSphere(3, 5);
+    // Needles hold more texels than the lengths of their edges let expect.
+    TriangleMesh mesh = gridMesh(24);
+    for (glm::vec3& p : mesh.positions) {
+        p.x *= 30.0F;
+    }
     const FilterScene scene =
         sceneOf(surfaceOf(mesh), storeOf(randomLevels(mesh.faceCount(), 0, 3, 5), noise(5)));
     std::mt19937 random(5);

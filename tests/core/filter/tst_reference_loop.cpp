@@ -56,6 +56,28 @@ TEST(ReferenceLoop, isExactWhereItReadsTheBaseLevelAndCutsLittleOff)
     }
 }
 
+TEST(ReferenceLoop, seesWideFootprintsWholeWhenTheCutIsMovedAway)
+{
+    // Ten texels long and one wide, over faces of four: the library reads a face and a bit.
+    const TriangleMesh mesh = gridMesh(12);
+    const FilterSurface surface = FilterSurface::equilateral(buildAdjacency(mesh.triangles));
+    const FaceMap<Level> levels(mesh.faceCount(), Level(2));
+    const FilterScene scene = sceneOf(surface, storeOf(levels, noise(3)));
+    double worstWhole = 0;
+    double worstCut = 0;
+    for (const float turn : {0.0F, 0.5F, 1.1F, 1.7F, 2.3F, 2.9F}) {
+        const glm::vec2 along(std::cos(turn), std::sin(turn));
+        const Query query{faceId(144), {0.3F, 0.4F}, 2.5F * along, {-along.y / 8, along.x / 8}};
+        const Answer exact = ask(*makeMethod({"exact", std::nullopt}), scene, query);
+        const Answer whole = ask(*makeMethod({"reference-loop", 26.0}), scene, query);
+        ASSERT_EQ(whole.level, 2.0F);
+        worstWhole = std::max(worstWhole, difference(whole, exact));
+        worstCut = std::max(worstCut, difference(ask(*referenceLoop(), scene, query), exact));
+    }
+    EXPECT_LE(worstWhole, 4e-3);
+    EXPECT_GE(worstCut, 2e-2);
+}
+
 TEST(ReferenceLoop, givesANumberForEveryFootprint)
 {
     const TriangleMesh mesh = irregularSphere(1, 2);
