@@ -24,6 +24,14 @@ std::vector<std::byte> encodeTexel(const TexelFormat& format, const std::array<f
     return texel;
 }
 
+/// Whether the patch that was swapped gave a face another level.
+bool changedLevels(const TexelPatch& patch, const TexelStore& texels)
+{
+    return std::ranges::any_of(patch.wholeFaces(), [&](const TexelPatch::Whole& whole) {
+        return whole.texels.level() != texels.face(whole.face).level();
+    });
+}
+
 /// Whole faces; nothing (everything may differ) when the patch covers the mesh.
 Change changeOf(const TexelPatch& patch, const TexelStore& texels)
 {
@@ -168,6 +176,20 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
                            : tr("Fill %n faces", nullptr, static_cast<int>(faces.size())));
 }
 
+bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text)
+{
+    endStroke();
+    if (!isOpen() || state() != madeFor) {
+        emit notice(tr("%1: the texture has changed meanwhile, nothing was done.").arg(text));
+        return false;
+    }
+    if (!patch.isEmpty()) {
+        exchange(patch);
+        push(std::move(patch), text);
+    }
+    return true;
+}
+
 void Document::push(TexelPatch applied, const QString& text)
 {
     if (!applied.isEmpty()) {
@@ -180,8 +202,18 @@ void Document::swapPatch(TexelPatch& patch)
 {
     // A patch fits the state it was made on, which a stroke in progress has left.
     cancelStroke();
+    exchange(patch);
+}
+
+void Document::exchange(TexelPatch& patch)
+{
     patch.swap(m_project.texels);
-    emit changed(changeOf(patch, m_project.texels));
+    if (changedLevels(patch, m_project.texels)) {
+        emit changed({}); // what derives from a face may reach into its neighbours
+        emit levelsChanged();
+    } else {
+        emit changed(changeOf(patch, m_project.texels));
+    }
 }
 
 } // namespace trixel::ui

@@ -76,10 +76,19 @@ public:
     /// One undo step; `color` as in `Brush::color`.
     void fillFaces(std::span<const FaceId> faces, const std::array<float, 4>& color);
 
+    /// Exchanges a patch with the texels, as one undo step; levels may change. Refused with
+    /// `notice` when the texels have changed since.
+    /// \param patch    the texels to come, made elsewhere from a copy
+    /// \param madeFor  the state that the copy was of
+    /// \return         whether it was applied
+    bool applyPatch(TexelPatch patch, StateId madeFor, const QString& text);
+
 signals:
     /// Another project, or none.
     void opened();
     void changed(const trixel::ui::Change& change);
+    /// Faces have other levels; follows `changed`.
+    void levelsChanged();
     void modifiedChanged(bool modified);
     void titleChanged();
     /// One sentence about something that was refused.
@@ -88,6 +97,7 @@ signals:
 private:
     friend class SwapPatch;
     void swapPatch(TexelPatch& patch);
+    void exchange(TexelPatch& patch);
     void push(TexelPatch applied, const QString& text);
     void announceModified();
 

@@ -9,7 +9,7 @@
 namespace trixel::ui {
 
 /// What the pointer does on the surface.
-enum class Tool { Brush, Eraser, Fill, Pick };
+enum class Tool { Brush, Eraser, Fill, Pick, Select };
 
 /// A picture of numbers over the view, computed for each pixel.
 enum class ViewMapKind {

@@ -101,6 +101,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
 Viewport::~Viewport()
 {
     d->normalsWatcher.disconnect(this);
+    d->outlineWatcher.disconnect(this);
     delete d->canvas; // while what it draws with is still there
 }
 

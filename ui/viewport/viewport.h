@@ -19,6 +19,7 @@
 namespace trixel::ui {
 
 class Document;
+class FaceSelection;
 class ViewSettings;
 
 /// An edge of a face.
@@ -35,8 +36,9 @@ struct SurfaceEdge
 /// | what | how |
 /// |---|---|
 /// | paint, erase, fill, pick | left button, by the tool; a pen's eraser end erases |
+/// | select faces, with that tool | left button; Shift adds, Ctrl removes |
 /// | straight line from the last stroke | Shift + left |
-/// | pick whatever the tool | Ctrl + left |
+/// | pick whatever the tool but Select | Ctrl + left |
 /// | orbit | Alt + left, or middle |
 /// | pan | Alt + middle, or Shift + middle |
 /// | zoom | Alt + right, or wheel towards the pointer |
@@ -62,6 +64,9 @@ public:
     void frameEdge(SurfaceEdge edge);
     /// Draws a line along an edge until another is marked, or nothing.
     void markEdge(std::optional<SurfaceEdge> edge);
+
+    /// Shows the selection and lets the Select tool change it. It must outlive the view.
+    void useSelection(FaceSelection& selection);
 
     const render::Camera& camera() const;
     void setCamera(const render::CameraPose& pose);

@@ -90,6 +90,7 @@ std::vector<render::Polyline> Viewport::Private::overlays() const
     if (const auto mark = edgeMark()) {
         lines.push_back(*mark);
     }
+    lines.insert(lines.end(), selectionLines.begin(), selectionLines.end());
     if (!shownSurface || interaction == Interaction::Camera) {
         return lines;
     }

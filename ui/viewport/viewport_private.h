@@ -6,9 +6,11 @@
 
 #include "render/renderer.h"
 #include "ui/document/document.h"
+#include "ui/document/face_selection.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/navigation.h"
+#include "ui/viewport/selection_lines.h"
 #include "ui/viewport/stroke_input.h"
 #include "ui/viewport/surface_lines.h"
 #include "ui/viewport/view_settings.h"
@@ -22,7 +24,7 @@
 namespace trixel::ui {
 
 /// What the pointer holds down.
-enum class Interaction { None, Stroke, Pick, Camera, BrushDrag };
+enum class Interaction { None, Stroke, Pick, Select, Camera, BrushDrag };
 
 /// A press, move or release of mouse or pen.
 struct PointerEvent
@@ -80,6 +82,12 @@ public:
     std::vector<render::Polyline> overlays() const;
     void cameraMoved();
 
+    // viewport_selection.cpp: the chosen faces
+    void takeSelection();
+    void outlineReady();
+    void beginSelecting(const PointerEvent& event);
+    void selectTo(glm::dvec2 position);
+
     // viewport_tools.cpp: what the pointer does
     void press(const PointerEvent& event);
     void move(const PointerEvent& event);
@@ -104,6 +112,14 @@ public:
 
     PictureOver picture;
     std::optional<SurfaceEdge> markedEdge;
+
+    FaceSelection* selection = nullptr;
+    std::vector<render::Polyline> selectionLines;
+    QFutureWatcher<std::vector<render::Polyline>> outlineWatcher;
+    bool outlineIsStale = false; ///< the selection changed while an outline was being made
+    bool selectRemoves = false;
+    std::vector<FaceId> selectionBefore; ///< when the drag began
+    glm::dvec2 selectedTo{0};            ///< device pixels
 
     std::optional<glm::dvec2> pointer; ///< last position over the view
     std::optional<HoveredTexel> hoveredTexel;

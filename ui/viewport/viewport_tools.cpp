@@ -53,7 +53,9 @@ void Viewport::Private::press(const PointerEvent& event)
         interaction = Interaction::BrushDrag;
         brushDragPoint = hit(event.sample.position);
     } else if (event.button == Qt::LeftButton) {
-        if (control || settings.tool() == Tool::Pick) {
+        if (settings.tool() == Tool::Select) {
+            beginSelecting(event);
+        } else if (control || settings.tool() == Tool::Pick) {
             interaction = Interaction::Pick;
             pickAt(event.sample.position);
         } else if (settings.tool() == Tool::Fill && !event.eraserEnd) {
@@ -88,6 +90,9 @@ void Viewport::Private::move(const PointerEvent& event)
     case Interaction::Pick:
         pickAt(position);
         break;
+    case Interaction::Select:
+        selectTo(position);
+        break;
     case Interaction::None:
         break;
     }
@@ -111,6 +116,11 @@ void Viewport::Private::release(const PointerEvent& event)
 
 bool Viewport::Private::cancel()
 {
+    if (interaction == Interaction::Select) {
+        interaction = Interaction::None;
+        selection->set(std::exchange(selectionBefore, {}));
+        return true;
+    }
     if (interaction != Interaction::Stroke) {
         return false;
     }

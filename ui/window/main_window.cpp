@@ -32,9 +32,11 @@
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
 #include "ui/window/job_bar.h"
+#include "ui/window/level_actions.h"
 #include "ui/window/map_actions.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_actions.h"
+#include "ui/window/selection_actions.h"
 #include "ui/window/status_line.h"
 #include "ui/window/tool_actions.h"
 #include "ui/window/view_actions.h"
@@ -59,6 +61,7 @@ constexpr double kSampleCloseness = 1.25;
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
+    , m_selection(m_document)
     , m_colors(m_settings)
     , m_files(m_document, m_jobs)
     , m_filterScene(m_document, m_jobs)
@@ -107,6 +110,7 @@ void MainWindow::makeCenter()
     m_viewport = new Viewport(m_document, m_settings);
     m_viewport->setAccessibleName(tr("3D view"));
     m_viewport->setObjectName("viewport");
+    m_viewport->useSelection(m_selection);
     m_viewMap = new ViewMap(m_document, m_settings, m_filterScene, *m_viewport, m_viewport);
     m_fileActions = new FileActions(m_document, m_files, *m_messages, *this);
     m_center = new QStackedWidget;
@@ -191,13 +195,20 @@ void MainWindow::makeStudyPanels()
 void MainWindow::makeMenus()
 {
     m_editActions = new EditActions(m_document, m_settings, *this);
+    m_selectionActions = new SelectionActions(m_document, m_selection, *this);
+    m_levelActions = new LevelActions(m_document, m_selection, m_jobs, *m_messages, *this);
     m_toolActions = new ToolActions(m_settings, *this);
     m_brushActions = new BrushActions(m_settings, m_colors, *m_brushPanel, *this);
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
     m_mapActions = new MapActions(m_settings, *this);
 
     m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
-    m_editActions->fillMenu(*menuBar()->addMenu(tr("&Edit")));
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    m_editActions->fillMenu(*edit);
+    edit->addSeparator();
+    m_selectionActions->fillMenu(*edit);
+    edit->addSeparator();
+    m_levelActions->fillMenu(*edit);
     m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
@@ -258,6 +269,7 @@ void MainWindow::makeStatusBar()
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(m_hint, 1);
     statusBar()->addPermanentWidget(new JobBar(m_jobs));
+    statusBar()->addPermanentWidget(m_selectionActions->makeLabel());
     statusBar()->addPermanentWidget(new StatusLine(m_document));
     const auto showHint = [this] { m_hint->setText(ToolActions::hintFor(m_settings.tool())); };
     connect(&m_settings, &ViewSettings::toolChanged, this, showHint);

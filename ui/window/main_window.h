@@ -6,6 +6,7 @@
 #include "ui/docks/brush_colors.h"
 #include "ui/document/background_job.h"
 #include "ui/document/document.h"
+#include "ui/document/face_selection.h"
 #include "ui/document/filter_scene_source.h"
 #include "ui/document/project_files.h"
 #include "ui/viewport/view_settings.h"
@@ -21,12 +22,14 @@ class ChartPanel;
 class EditActions;
 class FileActions;
 class HoverFilter;
+class LevelActions;
 class MapActions;
 class MessageBar;
 class PanelActions;
 class ReadoutPanel;
 class ReportPanel;
 class SeamPanel;
+class SelectionActions;
 class ToolActions;
 class ViewActions;
 class ViewMap;
@@ -42,6 +45,7 @@ public:
     ~MainWindow() override;
 
     Document& document() { return m_document; }
+    FaceSelection& selection() { return m_selection; }
     ViewSettings& settings() { return m_settings; }
     ProjectFiles& files() { return m_files; }
     BackgroundJobs& jobs() { return m_jobs; }
@@ -77,6 +81,7 @@ private:
     void remember() const;
 
     Document m_document;
+    FaceSelection m_selection;
     ViewSettings m_settings;
     BrushColors m_colors;
     BackgroundJobs m_jobs;
@@ -96,6 +101,8 @@ private:
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
     EditActions* m_editActions = nullptr;
+    SelectionActions* m_selectionActions = nullptr;
+    LevelActions* m_levelActions = nullptr;
     ToolActions* m_toolActions = nullptr;
     BrushActions* m_brushActions = nullptr;
     ViewActions* m_viewActions = nullptr;

@@ -33,6 +33,7 @@ ToolActions::ToolActions(ViewSettings& settings, QWidget& window)
         tr("Take the colour of a texel (hold S)"),
         Qt::Key_unknown,
         "pick");
+    add(Tool::Select, tr("&Select Faces"), tr("Choose faces"), Qt::Key_Q, "select");
     connect(&settings, &ViewSettings::toolChanged, this, &ToolActions::follow);
     qApp->installEventFilter(this);
     follow();
@@ -80,6 +81,9 @@ QString ToolActions::hintFor(Tool tool)
         return tr("Drag to erase · [ ] size · %1").arg(navigate);
     case Tool::Fill:
         return tr("Click a face to fill it · %1").arg(navigate);
+    case Tool::Select:
+        return tr("Click or drag over faces to select · Shift adds · Ctrl removes · %1")
+            .arg(navigate);
     case Tool::Pick:
         break;
     }

@@ -60,8 +60,10 @@ ViewActions::ViewActions(const Document& document,
         &ViewOptions::footprint);
     makeMips();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
-    connect(&document, &Document::opened, this, &ViewActions::listMips);
-    listMips();
+    connect(&document, &Document::opened, this, [this] { listMips(0); });
+    connect(
+        &document, &Document::levelsChanged, this, [this] { listMips(m_settings.view().mipDrop); });
+    listMips(0);
 }
 
 QAction* ViewActions::addSwitch(const QString& text,
@@ -114,7 +116,7 @@ void ViewActions::askForFace()
     dialog->open();
 }
 
-void ViewActions::listMips()
+void ViewActions::listMips(int drop)
 {
     // The finest level decides how many steps change anything.
     int most = 0;
@@ -123,10 +125,10 @@ void ViewActions::listMips()
     }
     const QSignalBlocker quiet(m_mips);
     m_mips->clear();
-    for (int drop = 0; drop <= most; ++drop) {
-        m_mips->addItem(drop == 0 ? tr("Full resolution") : tr("Mip %1 of %2").arg(drop).arg(most));
+    for (int mip = 0; mip <= most; ++mip) {
+        m_mips->addItem(mip == 0 ? tr("Full resolution") : tr("Mip %1 of %2").arg(mip).arg(most));
     }
-    setMipDrop(0);
+    setMipDrop(drop);
     follow();
 }
 

@@ -39,7 +39,8 @@ private:
     void makeMips();
     void askForFace();
     void setMipDrop(int drop);
-    void listMips();
+    /// \param drop  shown then, if there are as many mips
+    void listMips(int drop);
     void follow();
 
     const Document& m_document;
