@@ -85,20 +85,22 @@ double FilterSurface::log2Length(FaceId face, glm::dvec2 uv) const
 
 void FilterSurface::layCrossings()
 {
+    constexpr std::array<glm::dvec2, 3> kCorners = {
+        glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)};
     m_steps.resize(faceCount());
     for (std::size_t f = 0; f < faceCount(); ++f) {
         for (const LocalEdge edge : kLocalEdges) {
-            const auto across = crossing(faceId(f), edge);
+            const auto across = m_adjacency.neighbour(faceId(f), edge);
             if (!across) {
                 continue;
             }
-            EdgeStep& step = m_steps[f].edges[indexOf(edge)];
-            step.across =
+            const std::size_t e = indexOf(edge);
+            const auto back = crossing(across->face, across->edge);
+            const glm::dvec2 uv = back->point(kCorners[(indexOf(across->edge) + 2) % 3]);
+            const std::array<double, 3> weights = {1 - uv.x - uv.y, uv.x, uv.y};
+            m_steps[f].beyond[e] = {weights[(e + 1) % 3], weights[(e + 2) % 3]};
+            m_steps[f].across[e] =
                 static_cast<std::uint32_t>(indexOf(across->face) << 2U | indexOf(across->edge));
-            step.turn = {static_cast<float>(across->perU.x),
-                         static_cast<float>(across->perU.y),
-                         static_cast<float>(across->perV.x),
-                         static_cast<float>(across->perV.y)};
         }
     }
 }

@@ -70,18 +70,17 @@ public:
     /// Nothing at a border.
     std::optional<Crossing> crossing(FaceId face, LocalEdge edge) const;
 
-    /// A crossing for straight walks, compact: the line leaves at a point of the edge, which the
-    /// neighbour sees at the mirrored point, so that only the direction needs the shapes.
-    struct EdgeStep
+    /// What a straight walk needs of a face, in one cache line. The vertex beyond edge e, the two
+    /// faces unfolded into one plane, lies at
+    ///   start + beyond[e][0] (end - start) + beyond[e][1] (far - start),
+    /// start and end those of the edge, far the face's own third vertex.
+    struct alignas(64) FaceSteps
     {
         static constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
 
-        std::uint32_t across = kBorder; ///< neighbour << 2 | edge as it numbers it
-        std::array<float, 4> turn{};    ///< (du',dv') = du turn[0,1] + dv turn[2,3]
-    };
-    struct alignas(64) FaceSteps
-    {
-        std::array<EdgeStep, 3> edges;
+        std::array<std::array<double, 2>, 3> beyond{};
+        /// Neighbour << 2 | edge as it numbers it.
+        std::array<std::uint32_t, 3> across = {kBorder, kBorder, kBorder};
     };
     const FaceSteps& steps(FaceId face) const { return m_steps[indexOf(face)]; }
 

@@ -44,12 +44,21 @@ Exit exitOf(glm::dvec2 from, glm::dvec2 to, std::size_t entered)
     return exit;
 }
 
-/// A vector of the face before, in (u,v) of the next.
-glm::dvec2 turned(const FilterSurface::EdgeStep& step, glm::dvec2 w)
+/// A vector of the face before, in (u,v) of the one across an edge.
+glm::dvec2 turned(const FilterSurface::FaceSteps& steps, std::size_t edge, glm::dvec2 w)
 {
-    const std::array<float, 4>& turn = step.turn;
-    return {w.x * double{turn[0]} + w.y * double{turn[2]},
-            w.x * double{turn[1]} + w.y * double{turn[3]}};
+    // Along the edge and towards the far vertex, on this side and on the other, where the edge
+    // runs the other way.
+    const std::array<double, 3> own = {-w.x - w.y, w.x, w.y};
+    const auto [x, y] = steps.beyond[edge];
+    const double towards = own[(edge + 2) % 3] / y;
+    const double along = towards * (x - 1) - own[(edge + 1) % 3];
+    const std::size_t entered = steps.across[edge] & 3U;
+    std::array<double, 3> other{};
+    other[entered] = -along - towards;
+    other[(entered + 1) % 3] = along;
+    other[(entered + 2) % 3] = towards;
+    return {other[1], other[2]};
 }
 
 /// The point of the edge, seen from its other side: what is t along it is 1 - t there.
@@ -73,18 +82,20 @@ SurfaceWalk walkStraight(const FilterSurface& surface,
         if (exit.edge == kNoEdge) {
             return walk;
         }
-        const FilterSurface::EdgeStep& across = surface.steps(walk.end.face).edges[exit.edge];
-        if (across.across == FilterSurface::EdgeStep::kBorder || crossings == kMostCrossings) {
+        const FilterSurface::FaceSteps& steps = surface.steps(walk.end.face);
+        const std::uint32_t across = steps.across[exit.edge];
+        if (across == FilterSurface::FaceSteps::kBorder || crossings == kMostCrossings) {
             walk.stopped = true;
             return walk;
         }
-        entered = across.across & 3U;
-        walk.end = {faceId(across.across >> 2U),
+        entered = across & 3U;
+        walk.end = {faceId(across >> 2U),
                     mirrored(walk.end.uv,
                              static_cast<LocalEdge>(exit.edge),
                              static_cast<LocalEdge>(entered))};
-        walk.carried = {turned(across, walk.carried[0]), turned(across, walk.carried[1])};
-        step = (1 - exit.t) * turned(across, step);
+        walk.carried = {turned(steps, exit.edge, walk.carried[0]),
+                        turned(steps, exit.edge, walk.carried[1])};
+        step = (1 - exit.t) * turned(steps, exit.edge, step);
     }
 }
 

@@ -152,11 +152,11 @@ Result<ConformingPyramid> ConformingPyramid::build(const FloatMips& mips,
         } else if (sharing.isConstant(face)) {
             const auto groups = static_cast<std::size_t>(mips.groups());
             float* values =
-                pyramid.m_blocks.renew(face, mips.level(face), true, kGroupChannels * groups);
+                pyramid.m_blocks.renew(face, mips.level(face), true, kConstantSize * groups);
             for (std::size_t group = 0; group < groups; ++group) {
-                std::copy_n(mips.average(face, static_cast<int>(group)),
-                            kGroupChannels,
-                            values + group * kGroupChannels);
+                const float* value = mips.average(face, static_cast<int>(group));
+                float* to = values + group * kConstantSize;
+                std::copy_n(value, kGroupChannels, std::copy_n(value, kGroupChannels, to));
             }
         } else {
             const std::size_t size = groupSize(mips.level(face));
@@ -191,7 +191,7 @@ float* ConformingPyramid::spreadOut(FaceId face)
     float* values =
         m_blocks.renew(face, shared.level, false, size * static_cast<std::size_t>(m_groups));
     for (std::size_t group = 0; group < static_cast<std::size_t>(m_groups); ++group) {
-        const float* value = shared.values.get() + group * kGroupChannels;
+        const float* value = shared.values.get() + group * kConstantSize;
         for (std::size_t k = 0; k < size; ++k) {
             values[group * size + k] = value[k % kGroupChannels];
         }

@@ -87,11 +87,30 @@ public:
         check(level <= block.level, "a level that the face has");
         const auto number = static_cast<std::size_t>(group);
         if (block.constant) {
-            return {block.values.get() + number * kGroupChannels, 0};
+            return {block.values.get() + number * kConstantSize, 0};
         }
         return {block.values.get() + number * groupSize(block.level) + levelBegin(level)};
     }
 
+    /// The finest level of a face that is not above `most`, first group: for inner loops.
+    struct Finest
+    {
+        const float* values = nullptr;
+        std::uint32_t stride = 0; ///< as that of LevelVertices
+        Level level;
+    };
+    Finest finest(FaceId face, Level most) const
+    {
+        const SharedBlocks::Block& block = m_blocks.block(face);
+        const Level level = block.level < most ? block.level : most;
+        const float* values = block.values.get();
+        return block.constant ? Finest{values, 0, level}
+                              : Finest{values + levelBegin(level), kGroupChannels, level};
+    }
+
+    /// Floats of one group of a constant face: the value twice, because those who interpolate read
+    /// two vertices at once.
+    static constexpr std::size_t kConstantSize = 2 * std::size_t{kGroupChannels};
     /// Floats of one group of channels before a level; coarse levels come first.
     static constexpr std::size_t levelBegin(Level level)
     {

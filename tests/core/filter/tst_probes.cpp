@@ -84,8 +84,9 @@ TEST_P(PyramidMethods, answerTheSameFromBothSidesOfEveryEdge)
             for (const LocalEdge edge : kLocalEdges) {
                 const auto crossing = scene.surface().crossing(faceId(f), edge);
                 for (int sample = 0; sample < 8; ++sample) {
-                    // A point that both sides have exactly.
-                    const double t = std::floor(unit(random) * 1024) / 1024;
+                    // A point that both sides have exactly; not a corner, where a line may pass the
+                    // vertex on either side.
+                    const double t = (1 + std::floor(unit(random) * 1023)) / 1024;
                     const auto [w1, w2] = randomFootprint(random, 3);
                     here.add(faceId(f), fromEdge(edge, {t, 0}), w1, w2);
                     there.add(crossing->face,

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// As many probes as the ellipse is long, however long.
+// As many probes as the ellipse is long, up to what there is room for.
 #include "core/filter/probe_plan.h"
 
-// The shipped plan under another name.
-#define probePlan cappedPlan
+// The shipped cap under another name.
+#define probeCap shippedCap
 #include "core/filter/probe_plan.cpp"
-#undef probePlan
+#undef probeCap
 
 namespace trixel {
 
-ProbePlan
-probePlan(const QueryEllipse& ellipse, const FaceShape& shape, const ProbeSettings& settings)
+ProbeCap probeCap(const ProbeSettings& settings)
 {
     ProbeSettings uncapped = settings;
-    uncapped.most = 1 << 13;
-    return cappedPlan(ellipse, shape, uncapped);
+    uncapped.most = 1000;
+    return shippedCap(uncapped);
 }
 
 } // namespace trixel

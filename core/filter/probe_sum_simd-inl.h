@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Probes → the answer: where each reads and how much it counts, several at a time, then four
+// channels at a time the sum. Included once per instruction set (see Highway).
+#include "core/filter/probe_plan.h"
+#include "core/filter/probe_walk.h"
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#if defined(TRIXEL_PROBE_SUM_SIMD) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIXEL_PROBE_SUM_SIMD
+#undef TRIXEL_PROBE_SUM_SIMD
+#else
+#define TRIXEL_PROBE_SUM_SIMD
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace trixel::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The three vertices that each probe reads at a level: two beside each other in a row of the
+/// lattice and one in the row above or below.
+struct Reads
+{
+    alignas(64) std::int32_t pair[ProbeList::kRoom]; ///< floats from the probe's values
+    alignas(64) std::int32_t single[ProbeList::kRoom];
+    alignas(64) float first[ProbeList::kRoom]; ///< weights of the pair's first and second
+    alignas(64) float second[ProbeList::kRoom];
+    alignas(64) float third[ProbeList::kRoom];
+};
+
+using DD = hn::ScalableTag<double>;
+using DF = hn::Rebind<float, DD>;
+using DI = hn::Rebind<std::int32_t, DD>;
+using VF = hn::Vec<DF>;
+using VI = hn::Vec<DI>;
+
+/// Place on a lattice: cell and fraction.
+struct LatticeLanes
+{
+    VI i, j;
+    VF x, y;
+    VI resolution;
+};
+
+/// \param below  vertices from the level to the probe's `values`
+HWY_INLINE void
+storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k, Reads& reads)
+{
+    const DF d;
+    const DI di;
+    const VF one = hn::Set(d, 1.0F);
+    const VF sum = hn::Add(at.x, at.y);
+    // On the hypotenuse there is no upper texel, whatever rounding makes of it.
+    const auto isInner = hn::Lt(hn::Add(at.i, at.j), hn::Sub(at.resolution, hn::Set(di, 1)));
+    const auto isUpper = hn::And(hn::Gt(sum, one), hn::RebindMask(d, isInner));
+    const auto upper = hn::RebindMask(di, isUpper);
+
+    // Row j begins at j (2R + 3 - j) / 2 and the next R + 1 - j later.
+    const VI rows = hn::Sub(hn::Add(hn::Add(at.resolution, at.resolution), hn::Set(di, 3)), at.j);
+    const VI low = hn::Add(hn::ShiftRight<1>(hn::Mul(at.j, rows)), hn::Sub(at.i, below));
+    const VI high = hn::Add(low, hn::Sub(hn::Add(at.resolution, hn::Set(di, 1)), at.j));
+    const VI pair = hn::IfThenElse(upper, high, low);
+    const VI single = hn::IfThenElse(upper, hn::Add(low, hn::Set(di, 1)), high);
+    hn::Store(hn::Mul(pair, stride), di, reads.pair + k);
+    hn::Store(hn::Mul(single, stride), di, reads.single + k);
+
+    const VF rest = hn::Sub(one, sum);
+    const VF first = hn::IfThenElse(isUpper, hn::Sub(one, at.x), hn::Max(rest, hn::Zero(d)));
+    const VF second = hn::IfThenElse(isUpper, hn::Neg(rest), at.x);
+    const VF third = hn::IfThenElse(isUpper, hn::Sub(one, at.y), at.y);
+    hn::Store(hn::Mul(weight, first), d, reads.first + k);
+    hn::Store(hn::Mul(weight, second), d, reads.second + k);
+    hn::Store(hn::Mul(weight, third), d, reads.third + k);
+}
+
+/// Fills reads at both levels; returns the sum of the weights.
+HWY_INLINE float
+findReads(ProbeList& list, double support, float coarse, Reads& fineReads, Reads& coarseReads)
+{
+    const DD dd;
+    const DF d;
+    const DI di;
+    const std::size_t lanes = hn::Lanes(dd);
+    for (std::size_t k = list.count; k < list.count + lanes; ++k) { // a register may read on
+        list.u[k] = list.v[k] = 0;
+        list.scale[k] = 1;
+        list.place[k] = list.share[k] = 0;
+        list.stride[k] = 0;
+    }
+    const int coarser = std::max(list.fine - 1, 0);
+    const auto begin = [](int level) {
+        return static_cast<std::int32_t>(ConformingPyramid::levelBegin(Level(level)) /
+                                         kGroupChannels);
+    };
+    const VI below = hn::Set(di, begin(list.fine) - begin(coarser));
+    const VI fineResolution = hn::Set(di, static_cast<std::int32_t>(Level(list.fine).resolution()));
+    const VF perSupport = hn::Set(d, static_cast<float>(1 / support));
+    const VF falloff = hn::Set(d, static_cast<float>(-kProbeFalloff));
+    const VF pedestal = hn::Set(d, 0.045049202F); // exp(-kProbeFalloff)
+    static_assert(kProbeFalloff == 3.1);
+
+    VF total = hn::Zero(d);
+    for (std::size_t k = 0; k < list.count; k += lanes) {
+        const VF x = hn::Mul(hn::Load(d, list.place + k), perSupport);
+        const VF bell = hn::Sub(hn::Exp(d, hn::Mul(falloff, hn::Mul(x, x))), pedestal);
+        // Never nothing: at a border one probe may be all there is.
+        const VF weight = hn::Mul(hn::Max(bell, hn::Set(d, 1e-6F)), hn::Load(d, list.share + k));
+        total = hn::Add(total, weight);
+
+        const auto scale = hn::Load(dd, list.scale + k);
+        const auto u = hn::Mul(hn::Load(dd, list.u + k), scale);
+        const auto v = hn::Mul(hn::Load(dd, list.v + k), scale);
+        LatticeLanes at;
+        at.resolution = hn::DemoteTo(di, scale);
+        const VI last = hn::Sub(at.resolution, hn::Set(di, 1));
+        const VI none = hn::Zero(di);
+        at.i = hn::Min(hn::Max(hn::DemoteTo(di, u), none), last);
+        at.j = hn::Min(hn::Max(hn::DemoteTo(di, v), none), hn::Sub(last, at.i));
+        const auto inCell = [&](auto place, VI cell) {
+            const VF fraction = hn::DemoteTo(d, hn::Sub(place, hn::PromoteTo(dd, cell)));
+            return hn::Min(hn::Max(fraction, hn::Zero(d)), hn::Set(d, 1.0F));
+        };
+        at.x = inCell(u, at.i);
+        at.y = inCell(v, at.j);
+        const VI stride = hn::Load(di, list.stride + k);
+        // A face that is coarser than the fine level has one level to read.
+        const auto isBlended = hn::RebindMask(d, hn::Eq(at.resolution, fineResolution));
+        const VF share = hn::IfThenElseZero(isBlended, hn::Set(d, coarse));
+        storeReads(at, none, stride, hn::NegMulAdd(weight, share, weight), k, fineReads);
+        if (coarse > 0) {
+            const VI odd = hn::Set(di, 1);
+            const VF half = hn::Set(d, 0.5F);
+            LatticeLanes parent;
+            parent.x = hn::Mul(half, hn::Add(at.x, hn::ConvertTo(d, hn::And(at.i, odd))));
+            parent.y = hn::Mul(half, hn::Add(at.y, hn::ConvertTo(d, hn::And(at.j, odd))));
+            parent.i = hn::ShiftRight<1>(at.i);
+            parent.j = hn::ShiftRight<1>(at.j);
+            parent.resolution = hn::ShiftRight<1>(at.resolution);
+            const VI blended = hn::IfThenElseZero(hn::Eq(at.resolution, fineResolution), stride);
+            storeReads(parent, below, blended, hn::Mul(weight, share), k, coarseReads);
+        }
+    }
+    return hn::GetLane(hn::SumOfLanes(d, total));
+}
+
+/// Four channels: one register, or four where registers hold one value. Sums differences from one
+/// of the values that are averaged, so that a constant comes out to the bit.
+class ChannelSum
+{
+public:
+    /// \param origin  four channels of a value that is averaged
+    explicit HWY_INLINE ChannelSum(const float* origin)
+    {
+        const D4 d;
+        for (std::size_t p = 0; p < kParts; ++p) {
+            m_origin[p] = hn::LoadU(d, origin + p * hn::Lanes(d));
+            m_sum[p] = hn::Zero(d);
+        }
+    }
+
+    HWY_INLINE void add(const float* values, const Reads& reads, std::size_t k)
+    {
+        const D4 d;
+        const float* pair = values + reads.pair[k];
+        const float* single = values + reads.single[k];
+        const V4 first = hn::Set(d, reads.first[k]);
+        const V4 second = hn::Set(d, reads.second[k]);
+        const V4 third = hn::Set(d, reads.third[k]);
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const std::size_t c = p * hn::Lanes(d);
+            const auto off = [&](const float* value) {
+                return hn::Sub(hn::LoadU(d, value + c), m_origin[p]);
+            };
+            V4 sum = hn::MulAdd(first, off(pair), m_sum[p]);
+            sum = hn::MulAdd(second, off(pair + kGroupChannels), sum);
+            m_sum[p] = hn::MulAdd(third, off(single), sum);
+        }
+    }
+
+    /// origin + (this + other) * scale, both of one origin
+    HWY_INLINE void store(const ChannelSum& other, float scale, float* value) const
+    {
+        const D4 d;
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const V4 sum = hn::Add(m_sum[p], other.m_sum[p]);
+            const V4 mean = hn::MulAdd(sum, hn::Set(d, scale), m_origin[p]);
+            hn::StoreU(mean, d, value + p * hn::Lanes(d));
+        }
+    }
+
+private:
+    using D4 = hn::CappedTag<float, kGroupChannels>;
+    using V4 = hn::Vec<D4>;
+    static constexpr std::size_t kParts = HWY_TARGET == HWY_SCALAR ? kGroupChannels : 1;
+
+    V4 m_origin[kParts];
+    V4 m_sum[kParts];
+};
+
+} // namespace trixel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
