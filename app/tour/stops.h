@@ -32,6 +32,7 @@ public:
     Status conditionMap();
     Status errorMap();
     Status seamMeter();
+    Status sweptHazards();
 
 private:
     /// A place in the view by its share of width and height, [0,1] each.

@@ -8,6 +8,7 @@
 #include "ui/charts/write_chart.h"
 #include "ui/docks/chart_panel.h"
 #include "ui/docks/chart_view.h"
+#include "ui/docks/stability_panel.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/window/message_bar.h"
 
@@ -17,8 +18,9 @@ namespace trixel::app {
 
 namespace {
 
-/// A study takes seconds, on a busy machine minutes.
-constexpr int kPatienceMs = 240'000;
+/// A study may take minutes on a busy machine: then its first points have to do.
+constexpr int kStudyMs = 60'000;
+constexpr int kPatienceMs = 120'000;
 
 Status expect(bool holds, const std::string& sentence)
 {
@@ -58,6 +60,11 @@ Status Stops::measuredChart()
     if (Status pressed = press(*panel, "Run the study"); !pressed) {
         return pressed;
     }
+    if (!m_input.waitFor([&] { return !panel->run().isRunning(); }, kStudyMs)) {
+        if (Status cancelled = press(*panel, "Cancel the study"); !cancelled) {
+            return cancelled;
+        }
+    }
     const bool measured = m_input.waitFor([&] { return !panel->run().isRunning(); }, kPatienceMs);
     const auto point = pointInTheMiddle(panel->view());
     if (Status done = expect(measured && point.has_value(), "the study ends with a front"); !done) {
@@ -74,6 +81,29 @@ Status Stops::measuredChart()
         return taken;
     }
     return ui::writeChart(panel->run().study(), m_folder / "speed-accuracy.svg");
+}
+
+Status Stops::sweptHazards()
+{
+    m_input.keys(Qt::Key_F9);
+    auto* panel = m_window.findChild<ui::StabilityPanel*>();
+    if (Status shown = expect(panel != nullptr, "F9 shows the stability report"); !shown) {
+        return shown;
+    }
+    if (auto* dock = qobject_cast<QDockWidget*>(panel->parentWidget())) {
+        dock->raise();
+    }
+    m_input.settle();
+    if (Status pressed = press(*panel, "Run the sweeps"); !pressed) {
+        return pressed;
+    }
+    const bool swept = m_input.waitFor([&] { return !panel->run().isRunning(); }, kPatienceMs);
+    if (Status done =
+            expect(swept && !panel->run().report().sweeps.empty(), "the sweeps end with a report");
+        !done) {
+        return done;
+    }
+    return picture("stability");
 }
 
 } // namespace trixel::app

@@ -56,7 +56,8 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::seamMeter,
                             &Stops::newProject,
                             &Stops::exportedTexture,
-                            &Stops::measuredChart}) {
+                            &Stops::measuredChart,
+                            &Stops::sweptHazards}) {
         if (Status done = (stops.*stop)(); !done) {
             return done;
         }

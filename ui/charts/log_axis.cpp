@@ -13,7 +13,7 @@ namespace {
 constexpr double kMargin = 0.05;
 /// An axis spans a factor of 4 at least.
 constexpr double kLeastSpan = 0.6;
-/// Share of the axis that zero takes.
+/// Share of the axis that zero takes at one end, infinity at the other.
 constexpr double kFloorShare = 0.11;
 constexpr double kFloorPlace = 0.045;
 /// Beyond this many decades lines within a decade only grey the plot.
@@ -30,8 +30,13 @@ struct Density
 
     std::span<const int> used() const { return std::span(digits).first(count); }
 };
-constexpr Density kDensities[] = {
-    {{1, 2, 5}, 3, 1}, {{1, 3, 0}, 2, 1}, {{1, 0, 0}, 1, 1}, {{1, 0, 0}, 1, 2}, {{1, 0, 0}, 1, 3}};
+constexpr Density kDensities[] = {{{1, 2, 5}, 3, 1},
+                                  {{1, 3, 0}, 2, 1},
+                                  {{1, 0, 0}, 1, 1},
+                                  {{1, 0, 0}, 1, 2},
+                                  {{1, 0, 0}, 1, 3},
+                                  {{1, 0, 0}, 1, 5},
+                                  {{1, 0, 0}, 1, 10}};
 
 bool isShown(double value)
 {
@@ -45,6 +50,7 @@ LogAxis::LogAxis(std::span<const double> values, Quantity quantity, double decad
 {
     double most = 0;
     for (const double value : values) {
+        m_hasCeiling = m_hasCeiling || (std::isinf(value) && value > 0);
         most = isShown(value) ? std::max(most, value) : most;
     }
     const double threshold = most * std::pow(10, -decades);
@@ -72,13 +78,17 @@ double LogAxis::place(double value) const
     if (isBelow(value)) {
         return kFloorPlace;
     }
+    if (m_hasCeiling && std::isinf(value)) {
+        return 1 - kFloorPlace;
+    }
     return placeOfLog(std::log10(std::max(value, 1e-300)));
 }
 
 double LogAxis::placeOfLog(double log) const
 {
     const double start = m_hasFloor ? kFloorShare : 0;
-    return start + (1 - start) * std::clamp((log - m_low) / (m_high - m_low), 0.0, 1.0);
+    const double end = m_hasCeiling ? 1 - kFloorShare : 1;
+    return start + (end - start) * std::clamp((log - m_low) / (m_high - m_low), 0.0, 1.0);
 }
 
 int LogAxis::textsWith(std::span<const int> digits, int everyDecades) const
@@ -131,6 +141,9 @@ std::vector<Tick> LogAxis::ticks(int mostTexts) const
             ticks.push_back(
                 {placeOfLog(at), written ? quantityText(value, m_quantity) : QString()});
         }
+    }
+    if (m_hasCeiling) {
+        ticks.push_back({1 - kFloorPlace, QChar(0x221E)});
     }
     return ticks;
 }

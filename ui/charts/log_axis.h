@@ -18,13 +18,14 @@ struct Tick
 };
 
 /// A logarithmic axis that holds given values. Zero and what is too small for the scale share one
-/// line at its lower end, so that nothing is lost and nothing squeezes the rest.
+/// line at its lower end, infinity has one at the upper, so that nothing is lost and nothing
+/// squeezes the rest.
 class LogAxis
 {
 public:
     /// An axis from 1 to 10.
     LogAxis() = default;
-    /// \param values   those that are not finite, or negative, are passed over
+    /// \param values   those that are negative or not a number are passed over
     /// \param decades  that the axis spans at most: what is smaller than the largest value by more
     ///                 goes to the line at the lower end
     LogAxis(std::span<const double> values, Quantity quantity, double decades = 9);
@@ -50,7 +51,8 @@ private:
     double m_low = 0;  ///< log10 of the value at `place` 0 (or the end of the floor)
     double m_high = 1; ///< log10 of the value at `place` 1
     bool m_hasFloor = false;
-    double m_mostBelow = 0; ///< the largest value on the line at the lower end
+    bool m_hasCeiling = false; ///< a line for infinity
+    double m_mostBelow = 0;    ///< the largest value on the line at the lower end
     Quantity m_quantity = Quantity::Number;
 };
 

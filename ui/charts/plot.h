@@ -23,7 +23,7 @@ struct PlotPoint
     bool onFront = false;
 };
 
-/// Points that belong together, joined by a line in their order.
+/// Points that belong together.
 struct PlotSeries
 {
     QString name;
@@ -33,11 +33,20 @@ struct PlotSeries
     std::vector<PlotPoint> points;
 };
 
+/// Whether a line joins the points in their order. A peer's are settings of several kinds, which
+/// have none.
+inline bool isCurve(const PlotSeries& series)
+{
+    return !series.isPeer && series.points.size() > 1;
+}
+
 struct PlotAxis
 {
     QString title;
     Quantity quantity = Quantity::Number;
     double decades = 9; ///< that the axis spans at most
+    /// Where these are given the axis is a list: a value is a position in it, evenly spaced.
+    std::vector<QString> list = {};
 };
 
 /// A level that values are compared with: a tolerance, a bound.

@@ -81,7 +81,7 @@ LabelRoom roomOf(const Plot& plot, const PlotLayout& layout)
         for (std::size_t p = 0; p < series.points.size(); ++p) {
             const QPointF at = layout.at(series.points[p]);
             room.take(QRectF(at.x() - r, at.y() - r, 2 * r, 2 * r));
-            if (p > 0) {
+            if (p > 0 && isCurve(series)) {
                 room.take(QLineF(last, at));
             }
             last = at;

@@ -26,8 +26,8 @@ constexpr double kTickWidth = 52;
 constexpr double kTickHeight = 26;
 /// Many points are drawn smaller.
 constexpr std::size_t kMany = 400;
-constexpr double kMarkRadius = 4.2;
 constexpr double kSmallMarkRadius = 2.8;
+constexpr double kThinLine = 1; // painters draw these several times as fast
 
 std::size_t countOf(const Plot& plot)
 {
@@ -51,6 +51,9 @@ void makeAxes(const Plot& plot, PlotLayout& layout)
     if (plot.level) {
         ys.push_back(plot.level->y);
     }
+    if (!plot.x.list.empty()) {
+        layout.xList = ListAxis(plot.x.list);
+    }
     layout.xAxis = LogAxis(xs, plot.x.quantity, plot.x.decades);
     layout.yAxis = LogAxis(ys, plot.y.quantity, plot.y.decades);
 }
@@ -66,8 +69,8 @@ void placeTicks(PlotLayout& layout, const PlotFonts& fonts)
         widest = std::max(widest, metrics.horizontalAdvance(tick.text));
     }
     layout.frame.setLeft(layout.edge + widest + kGap);
-    layout.xTicks =
-        layout.xAxis.ticks(std::max(2, static_cast<int>(layout.frame.width() / kTickWidth)));
+    const int across = std::max(2, static_cast<int>(layout.frame.width() / kTickWidth));
+    layout.xTicks = layout.xList ? layout.xList->ticks(across) : layout.xAxis.ticks(across);
 }
 
 QString nameOfEntry(const Plot& plot, const LegendEntry& entry)
@@ -184,7 +187,10 @@ layOut(const Plot& plot, const QSizeF& size, const PlotFonts& fonts, const PlotP
 {
     PlotLayout layout;
     layout.size = size;
-    layout.markRadius = countOf(plot) > kMany ? kSmallMarkRadius : kMarkRadius;
+    if (countOf(plot) > kMany) {
+        layout.markRadius = kSmallMarkRadius;
+        layout.lineWidth = kThinLine;
+    }
     makeAxes(plot, layout);
     placeTexts(plot, fonts, parts, layout);
     std::vector<LegendEntry> legend = legendOf(plot, fonts);

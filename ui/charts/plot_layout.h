@@ -4,6 +4,7 @@
 #include <QRectF>
 #include <QSizeF>
 
+#include "ui/charts/list_axis.h"
 #include "ui/charts/log_axis.h"
 #include "ui/charts/plot.h"
 #include "ui/charts/plot_theme.h"
@@ -45,15 +46,20 @@ struct PlotLayout
     QRectF note;
     QRectF frame; ///< of the axes
     LogAxis xAxis;
+    std::optional<ListAxis> xList; ///< in place of `xAxis`
     LogAxis yAxis;
     std::vector<Tick> xTicks;
     std::vector<Tick> yTicks;
-    double markRadius = 4;
+    double markRadius = 4.2;
+    double lineWidth = 1.5;
     std::vector<LegendEntry> legend;
     std::vector<PlacedLabel> labels;
     QRectF levelName;
 
-    double xAt(double value) const { return frame.left() + frame.width() * xAxis.place(value); }
+    double xAt(double value) const
+    {
+        return frame.left() + frame.width() * (xList ? xList->place(value) : xAxis.place(value));
+    }
     double yAt(double value) const { return frame.bottom() - frame.height() * yAxis.place(value); }
     QPointF at(const PlotPoint& point) const { return {xAt(point.x), yAt(point.y)}; }
 };

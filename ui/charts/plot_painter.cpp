@@ -2,12 +2,14 @@
 #include "ui/charts/plot_painter.h"
 
 #include <QFontMetricsF>
+#include <QImage>
 #include <QPainter>
 #include <QPolygonF>
 
 #include "ui/charts/plot_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trixel::ui {
 
@@ -36,11 +38,10 @@ QColor nameColor(const PlotSeries& series, const PlotTheme& theme)
                             static_cast<float>(kOwn * a.blueF() + (1 - kOwn) * b.blueF()));
 }
 
-QPen linePen(const PlotSeries& series, const PlotTheme& theme)
+QPen linePen(const PlotSeries& series, const PlotTheme& theme, double width = kLineWidth)
 {
-    QPen pen(seriesColor(series, theme), kLineWidth);
-    pen.setJoinStyle(Qt::RoundJoin);
-    pen.setStyle(series.isPeer ? Qt::DashLine : Qt::SolidLine);
+    QPen pen(seriesColor(series, theme), width);
+    pen.setCapStyle(Qt::RoundCap);
     return pen;
 }
 
@@ -78,6 +79,8 @@ private:
     }
     const PlotTheme& theme() const { return m_look.theme; }
     void paintXNumber(double x, const QString& number);
+    void paintMarkers(const PlotSeries& series);
+    QImage stampOf(const PlotSeries& series) const;
 
     QPainter& m_painter;
     const Plot& m_plot;
@@ -91,7 +94,9 @@ void PlotPainter::paintGrid()
 {
     const QRectF& frame = m_layout.frame;
     const double height = QFontMetricsF(m_fonts.small).height();
-    // Fine lines first, so that they never cross a numbered one.
+    // Straight lines are sharper and quicker without; fine ones first, so that they never cross a
+    // numbered one.
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
     for (const bool numbered : {false, true}) {
         m_painter.setPen(QPen(numbered ? theme().grid : theme().fineGrid, 1));
         for (const Tick& tick : m_layout.xTicks) {
@@ -107,6 +112,7 @@ void PlotPainter::paintGrid()
             }
         }
     }
+    m_painter.setRenderHint(QPainter::Antialiasing);
     for (const Tick& tick : m_layout.xTicks) {
         if (!tick.text.isEmpty()) {
             paintXNumber(frame.left() + tick.place * frame.width(), tick.text);
@@ -192,26 +198,57 @@ void PlotPainter::paintSeries()
 {
     for (std::size_t s = 0; s < m_plot.series.size(); ++s) {
         const PlotSeries& series = m_plot.series[s];
-        QPolygonF line;
-        for (const PlotPoint& point : series.points) {
-            line += m_layout.at(point);
+        // One by one: stroking a curve that crosses itself often takes a hundred times as long.
+        QList<QLineF> lines;
+        for (std::size_t p = 1; isCurve(series) && p < series.points.size(); ++p) {
+            lines += QLineF(m_layout.at(series.points[p - 1]), m_layout.at(series.points[p]));
         }
         m_painter.setOpacity(opacityOf(s));
-        m_painter.setPen(linePen(series, theme()));
-        m_painter.setBrush(Qt::NoBrush);
-        m_painter.drawPolyline(line);
+        m_painter.setPen(linePen(series, theme(), m_layout.lineWidth));
+        m_painter.drawLines(lines);
     }
     for (std::size_t s = 0; s < m_plot.series.size(); ++s) {
         m_painter.setOpacity(opacityOf(s));
-        for (const PlotPoint& point : m_plot.series[s].points) {
-            paintMarker(
-                m_painter, m_plot.series[s], m_layout.at(point), m_layout.markRadius, theme());
-        }
+        paintMarkers(m_plot.series[s]);
     }
     m_painter.setOpacity(1);
     if (m_look.chosen) {
         const QPointF at = m_layout.at(pointOf(m_plot, *m_look.chosen));
         paintRing(m_painter, at, 2.1 * m_layout.markRadius, theme().text);
+    }
+}
+
+/// A series' marker, drawn once to be stamped many times.
+QImage PlotPainter::stampOf(const PlotSeries& series) const
+{
+    const double ratio = m_painter.device()->devicePixelRatioF();
+    const double half = std::ceil(2 * m_layout.markRadius);
+    QImage stamp((QSizeF(2 * half, 2 * half) * ratio).toSize(),
+                 QImage::Format_ARGB32_Premultiplied);
+    stamp.setDevicePixelRatio(ratio);
+    stamp.fill(Qt::transparent);
+    QPainter painter(&stamp);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintMarker(painter, series, {half, half}, m_layout.markRadius, theme());
+    return stamp;
+}
+
+void PlotPainter::paintMarkers(const PlotSeries& series)
+{
+    constexpr std::size_t kFewMarkers = 30;
+    if (m_look.lettering == Lettering::Outlines || series.points.size() <= kFewMarkers) {
+        for (const PlotPoint& point : series.points) {
+            paintMarker(m_painter, series, m_layout.at(point), m_layout.markRadius, theme());
+        }
+        return;
+    }
+    const QImage stamp = stampOf(series);
+    const double ratio = stamp.devicePixelRatio();
+    const QPointF middle = QRectF(QPointF(), QSizeF(stamp.size()) / ratio).center();
+    for (const PlotPoint& point : series.points) {
+        // On whole pixels a stamp is copied, elsewhere it is resampled.
+        const QPointF corner = (m_layout.at(point) - middle) * ratio;
+        m_painter.drawImage(QPointF(std::round(corner.x()), std::round(corner.y())) / ratio, stamp);
     }
 }
 
@@ -238,7 +275,7 @@ void PlotPainter::paintLegend()
         if (entry.series) {
             const PlotSeries& series = m_plot.series[*entry.series];
             m_painter.setOpacity(opacityOf(*entry.series));
-            if (series.points.size() > 1) {
+            if (isCurve(series)) {
                 m_painter.setPen(linePen(series, theme()));
                 m_painter.drawLine(sample);
             }

@@ -6,13 +6,24 @@
 #include <QPainterPath>
 #include <QTextLayout>
 
+#include <array>
+
 namespace trixel::ui {
 
 namespace {
 
-constexpr double kHaloWidth = 3;
+constexpr double kHalo = 1.5;
+constexpr double kDiagonal = 0.7;
+constexpr std::array kAround{QPointF(1, 0),
+                             QPointF(-1, 0),
+                             QPointF(0, 1),
+                             QPointF(0, -1),
+                             QPointF(kDiagonal, kDiagonal),
+                             QPointF(kDiagonal, -kDiagonal),
+                             QPointF(-kDiagonal, kDiagonal),
+                             QPointF(-kDiagonal, -kDiagonal)};
 
-}
+} // namespace
 
 void PlotText::draw(const QRectF& box,
                     Qt::Alignment alignment,
@@ -39,19 +50,24 @@ void PlotText::drawAt(const QPointF& baseline,
                       const QColor& color,
                       const QColor& halo)
 {
-    QPainterPath letters;
-    if (halo.isValid() || m_lettering == Lettering::Outlines) {
-        letters.addText(baseline, font, text);
-    }
-    if (halo.isValid()) {
-        m_painter.strokePath(letters,
-                             QPen(halo, kHaloWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    }
     if (m_lettering == Lettering::Outlines) {
+        QPainterPath letters;
+        letters.addText(baseline, font, text);
+        if (halo.isValid()) {
+            m_painter.strokePath(letters,
+                                 QPen(halo, 2 * kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        }
         m_painter.fillPath(letters, color);
         return;
     }
     m_painter.setFont(font);
+    if (halo.isValid()) {
+        // Letters are cheap to draw again, their outlines dear to stroke.
+        m_painter.setPen(halo);
+        for (const QPointF& away : kAround) {
+            m_painter.drawText(baseline + away * kHalo, text);
+        }
+    }
     m_painter.setPen(color);
     m_painter.drawText(baseline, text);
 }

@@ -74,52 +74,67 @@ QFont chartFont()
     return font;
 }
 
-QByteArray svgOf(const Plot& plot, const ChartOptions& options, const PlotLook& look)
+/// One or several plots, side by side and below each other.
+struct Sheet
+{
+    std::span<const Plot> plots;
+    int columns = 1;
+    QSize cell;
+    PlotParts parts = {};
+    PlotLook look;
+
+    QSize size() const
+    {
+        const int rows = (static_cast<int>(plots.size()) + columns - 1) / columns;
+        return {cell.width() * columns, cell.height() * rows};
+    }
+};
+
+void paintSheet(QPainter& painter, const Sheet& sheet)
+{
+    const PlotFonts fonts(chartFont());
+    painter.fillRect(QRect(QPoint(), sheet.size()), sheet.look.theme.background);
+    for (std::size_t k = 0; k < sheet.plots.size(); ++k) {
+        const Plot& plot = sheet.plots[k];
+        const int at = static_cast<int>(k);
+        painter.save();
+        painter.translate(at % sheet.columns * sheet.cell.width(),
+                          at / sheet.columns * sheet.cell.height());
+        paintPlot(painter, plot, layOut(plot, sheet.cell, fonts, sheet.parts), fonts, sheet.look);
+        painter.restore();
+    }
+}
+
+QByteArray svgOf(const Sheet& sheet)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
     generator.setResolution(kScreenDpi);
-    generator.setSize(options.size);
-    generator.setViewBox(QRect(QPoint(), options.size));
-    generator.setTitle(plot.title);
-    generator.setDescription(plot.subtitle + '\n' + plot.note);
-    const PlotFonts fonts(chartFont());
+    generator.setSize(sheet.size());
+    generator.setViewBox(QRect(QPoint(), sheet.size()));
+    const Plot& first = sheet.plots.front();
+    generator.setTitle(first.title);
+    generator.setDescription(first.subtitle + '\n' + first.note);
     QPainter painter(&generator);
-    paintPlot(painter, plot, layOut(plot, options.size, fonts, {}), fonts, look);
+    paintSheet(painter, sheet);
     painter.end();
     return bytes;
 }
 
-QByteArray pngOf(const Plot& plot, const ChartOptions& options, const PlotLook& look)
+QByteArray pngOf(const Sheet& sheet, double pixelsPerUnit)
 {
-    QImage image((QSizeF(options.size) * options.pixelsPerUnit).toSize(), QImage::Format_RGB32);
-    image.setDevicePixelRatio(options.pixelsPerUnit);
-    image.setText("Title", plot.title);
-    const PlotFonts fonts(chartFont());
+    QImage image((QSizeF(sheet.size()) * pixelsPerUnit).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(pixelsPerUnit);
+    image.setText("Title", sheet.plots.front().title);
     QPainter painter(&image);
-    paintPlot(painter, plot, layOut(plot, options.size, fonts, {}), fonts, look);
+    paintSheet(painter, sheet);
     painter.end();
     QByteArray bytes;
     QBuffer buffer(&bytes);
     image.save(&buffer, "PNG");
     return bytes;
-}
-
-Status writeBytes(const std::filesystem::path& path, std::string_view bytes)
-{
-    return commitFile(
-        path,
-        [&](FileWriter& file) { return file.write(bytes); },
-        [&](const std::filesystem::path& written) -> Status {
-            const Result<std::string> found = readFile(written);
-            if (!found) {
-                return tl::unexpected(found.error());
-            }
-            return *found == bytes ? Status()
-                                   : pathError("what was read back differs from what was written");
-        });
 }
 
 std::string endingOf(const std::filesystem::path& path)
@@ -137,24 +152,24 @@ chosenMark(const Study& study, const Plot& plot, const std::optional<MethodChoic
     return chosen ? markOf(study, plot, *chosen) : std::nullopt;
 }
 
-Status writePicture(const Plot& plot,
-                    const std::filesystem::path& path,
-                    const ChartOptions& options,
-                    const std::optional<PlotMark>& chosen)
+Status writePicture(const Sheet& sheet, const std::filesystem::path& path, double pixelsPerUnit)
 {
-    const QSizeF pixels = QSizeF(options.size) * options.pixelsPerUnit;
-    if (options.size.isEmpty() || !(pixels.width() >= 1 && pixels.width() <= kMostPixels) ||
+    const QSizeF pixels = QSizeF(sheet.size()) * pixelsPerUnit;
+    if (sheet.size().isEmpty() || !(pixels.width() >= 1 && pixels.width() <= kMostPixels) ||
         !(pixels.height() >= 1 && pixels.height() <= kMostPixels)) {
         return contentsError(path.string() + ": a chart is from 1 to 16384 pixels wide and high");
     }
-    const PlotLook look{.theme = options.dark ? darkPlotTheme() : lightPlotTheme(),
-                        .lettering = Lettering::Outlines,
-                        .lifted = {},
-                        .chosen = chosen};
     const LetterApplication letters;
-    const QByteArray bytes =
-        endingOf(path) == ".svg" ? svgOf(plot, options, look) : pngOf(plot, options, look);
-    return writeBytes(path, std::string_view(bytes.constData(), std::size_t(bytes.size())));
+    const QByteArray bytes = endingOf(path) == ".svg" ? svgOf(sheet) : pngOf(sheet, pixelsPerUnit);
+    return writeText(path, std::string_view(bytes.constData(), std::size_t(bytes.size())));
+}
+
+PlotLook lookOf(const ChartOptions& options, const std::optional<PlotMark>& chosen)
+{
+    return {.theme = options.dark ? darkPlotTheme() : lightPlotTheme(),
+            .lettering = Lettering::Outlines,
+            .lifted = {},
+            .chosen = chosen};
 }
 
 bool isPicture(const std::filesystem::path& path)
@@ -165,15 +180,30 @@ bool isPicture(const std::filesystem::path& path)
 
 } // namespace
 
+Status writeText(const std::filesystem::path& path, std::string_view text)
+{
+    return commitFile(
+        path,
+        [&](FileWriter& file) { return file.write(text); },
+        [&](const std::filesystem::path& written) -> Status {
+            const Result<std::string> found = readFile(written);
+            if (!found) {
+                return tl::unexpected(found.error());
+            }
+            return *found == text ? Status()
+                                  : pathError("what was read back differs from what was written");
+        });
+}
+
 Status
 writeChart(const Study& study, const std::filesystem::path& path, const ChartOptions& options)
 {
     const std::string ending = endingOf(path);
     if (ending == ".csv") {
-        return writeBytes(path, toCsv(study));
+        return writeText(path, toCsv(study));
     }
     if (ending == ".json") {
-        return writeBytes(path, toJson(study));
+        return writeText(path, toJson(study));
     }
     if (!isPicture(path)) {
         return contentsError(path.string() + ": a chart is written as .svg, .png, .csv or .json");
@@ -183,7 +213,11 @@ writeChart(const Study& study, const std::filesystem::path& path, const ChartOpt
         return contentsError(path.string() + ": the study '" + study.name + "' has no points for " +
                              nameOf(options.view.footprintClass).toLower().toStdString());
     }
-    return writePicture(plot, path, options, chosenMark(study, plot, options.chosen));
+    const Sheet sheet{.plots = {&plot, 1},
+                      .columns = 1,
+                      .cell = options.size,
+                      .look = lookOf(options, chosenMark(study, plot, options.chosen))};
+    return writePicture(sheet, path, options.pixelsPerUnit);
 }
 
 Status writePlot(const Plot& plot, const std::filesystem::path& path, const ChartOptions& options)
@@ -191,7 +225,27 @@ Status writePlot(const Plot& plot, const std::filesystem::path& path, const Char
     if (!isPicture(path)) {
         return contentsError(path.string() + ": a chart is written as .svg or .png");
     }
-    return writePicture(plot, path, options, std::nullopt);
+    const Sheet sheet{.plots = {&plot, 1},
+                      .columns = 1,
+                      .cell = options.size,
+                      .look = lookOf(options, std::nullopt)};
+    return writePicture(sheet, path, options.pixelsPerUnit);
+}
+
+Status writeSheet(std::span<const Plot> plots,
+                  int columns,
+                  const std::filesystem::path& path,
+                  const ChartOptions& options)
+{
+    if (!isPicture(path) || plots.empty()) {
+        return contentsError(path.string() + ": charts are written as .svg or .png, at least one");
+    }
+    const Sheet sheet{.plots = plots,
+                      .columns = columns,
+                      .cell = options.size,
+                      .parts = {.heading = true, .note = false},
+                      .look = lookOf(options, std::nullopt)};
+    return writePicture(sheet, path, options.pixelsPerUnit);
 }
 
 } // namespace trixel::ui

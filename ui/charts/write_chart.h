@@ -9,6 +9,8 @@
 #include "ui/charts/study_plot.h"
 
 #include <filesystem>
+#include <span>
+#include <string_view>
 
 namespace trixel::ui {
 
@@ -31,5 +33,16 @@ writeChart(const Study& study, const std::filesystem::path& path, const ChartOpt
 /// The same for any plot, as `.svg` or `.png`.
 Status
 writePlot(const Plot& plot, const std::filesystem::path& path, const ChartOptions& options = {});
+
+/// Several plots on one sheet, row by row, as `.svg` or `.png`. `size` is that of each; notes are
+/// left out.
+/// \param plots  at least one (Contents error else)
+Status writeSheet(std::span<const Plot> plots,
+                  int columns,
+                  const std::filesystem::path& path,
+                  const ChartOptions& options);
+
+/// Writes a text that is there already; the file is whole or not there.
+Status writeText(const std::filesystem::path& path, std::string_view text);
 
 } // namespace trixel::ui

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "ui/charts/write_chart.h"
+#include "ui/docks/chart_advice.h"
 #include "ui/docks/chart_export.h"
 #include "ui/docks/chart_view.h"
 #include "ui/docks/value_row.h"
@@ -29,7 +30,7 @@ constexpr int kWide = 560;
 constexpr int kControlsWidth = 300;
 constexpr int kSpace = 6;
 
-enum Subject { kThisProject, kStoredTextures };
+enum Subject { kThisProject, kStored };
 
 QComboBox* makeChoice(const QString& name, const QString& toolTip)
 {
@@ -209,8 +210,8 @@ void ChartPanel::listSubjects()
     if (chosen != nullptr && chosen->onProject && m_document.isOpen()) {
         m_subject->addItem(tr("This project"), kThisProject);
     }
-    if (chosen != nullptr && chosen->onStoredTextures) {
-        m_subject->addItem(tr("Stored test textures"), kStoredTextures);
+    if (chosen != nullptr && !chosen->stored.isEmpty()) {
+        m_subject->addItem(chosen->stored, kStored);
     }
     m_subject->setCurrentIndex(std::max(0, m_subject->findData(before)));
     showRun();
@@ -298,8 +299,10 @@ void ChartPanel::showAdvice()
     const auto best = cheapestWithin(study, studyView());
     m_use->setEnabled(best && study.points[*best].method);
     m_advice->setVisible(!study.points.empty());
-    m_advice->setText(best ? tr("Cheapest within it: %1").arg(inBrief(study, *best))
-                           : tr("Nobody keeps this tolerance."));
+    const ToleranceAdvice advice = adviceOf(study, studyView());
+    m_advice->setText(advice.text);
+    m_advice->setToolTip(advice.details.isEmpty() ? tr("As this study measured it")
+                                                  : advice.details);
 }
 
 void ChartPanel::choose(std::size_t point)

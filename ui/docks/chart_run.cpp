@@ -12,37 +12,25 @@ namespace {
 /// Often enough to look alive, seldom enough to leave the processors to the measurement.
 constexpr int kTakeEveryMs = 120;
 
-/// The study's view of the queue.
-class QueueWatcher final : public StudyWatcher
+/// The study's view of the inbox.
+class InboxWatcher final : public StudyWatcher
 {
 public:
-    QueueWatcher(Progress& progress, PointQueue& queue)
+    InboxWatcher(Progress& progress, Inbox<StudyPoint>& inbox)
         : m_progress(progress)
-        , m_queue(queue)
+        , m_inbox(inbox)
     {
     }
 
     bool report(double fraction) override { return m_progress.report(fraction); }
-    void measured(const StudyPoint& point) override { m_queue.put(point); }
+    void measured(const StudyPoint& point) override { m_inbox.put(point); }
 
 private:
     Progress& m_progress;
-    PointQueue& m_queue;
+    Inbox<StudyPoint>& m_inbox;
 };
 
 } // namespace
-
-void PointQueue::put(const StudyPoint& point)
-{
-    const std::scoped_lock lock(m_mutex);
-    m_points.push_back(point);
-}
-
-std::vector<StudyPoint> PointQueue::take()
-{
-    const std::scoped_lock lock(m_mutex);
-    return std::exchange(m_points, {});
-}
 
 ChartRun::ChartRun(BackgroundJobs& jobs, QObject* parent)
     : QObject(parent)
@@ -61,10 +49,10 @@ void ChartRun::start(const StudyOffer& offer, StudyInput input)
     m_study = offer.header;
     m_study.subject = input.name.toStdString();
     m_places.clear();
-    m_queue = std::make_shared<PointQueue>();
-    const auto work = [run = offer.run, queue = m_queue, input = std::move(input)](
+    m_inbox = std::make_shared<Inbox<StudyPoint>>();
+    const auto work = [run = offer.run, inbox = m_inbox, input = std::move(input)](
                           Progress& progress) -> Result<Study> {
-        QueueWatcher watcher(progress, *queue);
+        InboxWatcher watcher(progress, *inbox);
         return run(input, watcher);
     };
     const auto done = [self = QPointer(this)](Result<Study> result) {
@@ -93,7 +81,7 @@ double ChartRun::fraction() const
 
 void ChartRun::takePoints()
 {
-    const std::vector<StudyPoint> points = m_queue->take();
+    const std::vector<StudyPoint> points = m_inbox->take();
     for (const StudyPoint& point : points) {
         add(point);
     }

@@ -6,29 +6,16 @@
 #include <QTimer>
 
 #include "ui/docks/chart_study.h"
+#include "ui/docks/inbox.h"
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <tuple>
 
 namespace trixel::ui {
 
 class BackgroundJob;
 class BackgroundJobs;
-
-/// Points on their way from the thread that measures to the one that shows.
-class PointQueue
-{
-public:
-    void put(const StudyPoint& point);
-    /// All that came since the last time, in their order.
-    std::vector<StudyPoint> take();
-
-private:
-    std::mutex m_mutex;
-    std::vector<StudyPoint> m_points;
-};
 
 /// A study under way in the background, and what it has measured so far. What was measured stays
 /// until the next run, also when it was cancelled.
@@ -64,7 +51,7 @@ private:
 
     BackgroundJobs& m_jobs;
     QPointer<BackgroundJob> m_job;
-    std::shared_ptr<PointQueue> m_queue;
+    std::shared_ptr<Inbox<StudyPoint>> m_inbox;
     QTimer m_timer;
     Study m_study;
     std::map<Key, std::size_t> m_places; ///< of the points, by who they are

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
+#include "core/study/peers/peers.h"
+#include "core/study/small_studies.h"
 #include "core/study/speed_accuracy.h"
 #include "ui/docks/chart_study.h"
+#include "ui/docks/study_scene.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace trixel::ui {
@@ -22,16 +27,7 @@ constexpr std::uint64_t kSeed = 1;
 constexpr int kTiles = 3;
 /// Share of the whole that preparing takes.
 constexpr double kPreparing = 0.3;
-
-Result<std::shared_ptr<const FilterScene>> sceneOf(const Project& project, Progress& progress)
-{
-    auto surface = std::make_shared<const FilterSurface>(
-        FilterSurface::fromMesh(project.surface->mesh(), project.surface->adjacency()));
-    return FilterScene::build(std::move(surface), project.texels, Threads::all(), progress)
-        .map([](FilterScene&& scene) {
-            return std::make_shared<const FilterScene>(std::move(scene));
-        });
-}
+constexpr double kInviting = 0.1; ///< of it, for the peers
 
 Result<std::vector<StudySubject>> subjectsOf(const StudyInput& input, Progress& progress)
 {
@@ -39,7 +35,7 @@ Result<std::vector<StudySubject>> subjectsOf(const StudyInput& input, Progress& 
         return storedSubjects(kTiles, Threads::all(), progress);
     }
     StageProgress building(progress, 0, 0.3);
-    auto scene = sceneOf(*input.project, building);
+    auto scene = studyScene(*input.project, building);
     if (!scene) {
         return tl::unexpected(scene.error());
     }
@@ -76,26 +72,57 @@ private:
 
 Result<Study> runSpeedAccuracy(const StudyInput& input, StudyWatcher& watcher)
 {
-    StageProgress preparing(watcher, 0, kPreparing);
+    StageProgress preparing(watcher, 0, kPreparing - kInviting);
     const auto subjects = subjectsOf(input, preparing);
     if (!subjects) {
         return tl::unexpected(subjects.error());
     }
+    StageProgress inviting(watcher, kPreparing - kInviting, kPreparing);
+    auto peers = makePeers(*subjects, peerFolder(), inviting);
+    if (!peers) {
+        return tl::unexpected(peers.error());
+    }
+    Contestants contestants = tableContestants(*subjects);
+    std::ranges::move(peers->contestants, std::back_inserter(contestants));
     StageWatcher measuring(watcher, kPreparing, 1);
-    return measureSpeedAccuracy(*subjects, tableContestants(*subjects), {}, measuring);
+    auto study = measureSpeedAccuracy(*subjects, contestants, {}, measuring);
+    if (study) {
+        std::ranges::move(peers->notes, std::back_inserter(study->notes));
+    }
+    return study;
 }
 
-StudyOffer speedAccuracy()
+Result<Study> runSubdivision(const StudyInput& input, StudyWatcher& watcher)
+{
+    if (input.project) {
+        return studySubdivision(input.project->surface->mesh(), watcher);
+    }
+    const auto cage = storedCage();
+    return cage ? studySubdivision(*cage, watcher) : tl::unexpected(cage.error());
+}
+
+/// \param name, cost, unit  as the study itself has them
+StudyOffer makeOffer(
+    const char* title, const char* about, const char* name, const char* cost, const char* unit)
 {
     StudyOffer offer;
-    offer.title = tr("Filters: time against error");
-    offer.about =
-        tr("Every filter with every value of its parameter, judged by the exact integral");
-    offer.header.name = "speed-accuracy";
-    offer.header.title = "Filters: time against error";
-    offer.header.costTitle = "Time per sample";
-    offer.header.costUnit = "ns";
-    offer.run = runSpeedAccuracy;
+    offer.title = tr(title);
+    offer.about = tr(about);
+    offer.header.name = name;
+    offer.header.title = title;
+    offer.header.costTitle = cost;
+    offer.header.costUnit = unit;
+    offer.stored = tr("Stored test textures");
+    return offer;
+}
+
+/// A study of a choice of the program's own: on nothing of the user's.
+StudyOffer withoutProject(StudyOffer offer, Result<Study> (*measure)(StudyWatcher&))
+{
+    offer.onProject = false;
+    offer.run = [measure](const StudyInput& /*input*/, StudyWatcher& watcher) {
+        return measure(watcher);
+    };
     return offer;
 }
 
@@ -103,7 +130,43 @@ StudyOffer speedAccuracy()
 
 std::vector<StudyOffer> studyOffers()
 {
-    return {speedAccuracy()};
+    StudyOffer filters =
+        makeOffer("Filters: time against error",
+                  "Every filter with every value of its parameter, judged by the exact integral",
+                  "speed-accuracy",
+                  "Time per sample",
+                  "ns");
+    filters.run = runSpeedAccuracy;
+    StudyOffer subdivision =
+        makeOffer("Subdivision: faces against distance",
+                  "How near to the limit surface each further level of Loop subdivision comes",
+                  "subdivision",
+                  "Faces",
+                  "faces");
+    subdivision.stored = tr("Cage of the sample scene");
+    subdivision.run = runSubdivision;
+    return {
+        filters,
+        withoutProject(
+            makeOffer("Paint projection: offset or none",
+                      "Painting the packed square with the offset of 1/6 texel and without",
+                      "paint-projection",
+                      "Time per texel",
+                      "ns"),
+            studyPaintProjection),
+        withoutProject(makeOffer("Reduction: our rule or 2×2 box",
+                                 "Halving the resolution as triangles ask for, and as images do",
+                                 "reduction",
+                                 "Time per texel",
+                                 "ns"),
+                       studyReduction),
+        withoutProject(makeOffer("Storage: memory against error",
+                                 "Texels as uint8, uint16, half and float",
+                                 "storage",
+                                 "Memory per texel",
+                                 "bytes"),
+                       studyStorage),
+        subdivision};
 }
 
 } // namespace trixel::ui

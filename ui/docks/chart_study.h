@@ -30,7 +30,7 @@ struct StudyOffer
     /// Name, titles and units as the study will have them, for the points that come before its end.
     Study header;
     bool onProject = true;
-    bool onStoredTextures = true;
+    QString stored; ///< what it runs on where it needs no project, "Stored test textures"
     /// Runs on another thread. Points may be told again when they are known better.
     std::function<Result<Study>(const StudyInput& input, StudyWatcher& watcher)> run;
 };

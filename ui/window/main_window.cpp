@@ -24,6 +24,7 @@
 #include "ui/docks/readout_panel.h"
 #include "ui/docks/report_panel.h"
 #include "ui/docks/seam_panel.h"
+#include "ui/docks/stability_panel.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -184,12 +185,21 @@ void MainWindow::makeStudyPanels()
     m_chart = new ChartPanel(m_document, m_settings, m_jobs, studyOffers());
     QDockWidget* chart = addWidePanel("chartPanel", tr("Speed and accuracy"), m_chart);
     m_panelActions->add(*chart, {Qt::Key_F8});
-    connect(m_chart, &ChartPanel::failed, this, [this](const QString& sentence) {
+    m_stability = new StabilityPanel(m_document, m_jobs, stabilityWork());
+    QDockWidget* stability = addWidePanel("stabilityPanel", tr("Stability"), m_stability);
+    m_panelActions->add(*stability, {Qt::Key_F9});
+    tabifyDockWidget(chart, stability);
+    connect(m_stability, &StabilityPanel::faceChosen, m_viewport, &Viewport::frameFace);
+    const auto complain = [this](const QString& sentence) {
         m_messages->showMessage(MessageBar::Kind::Error, sentence);
-    });
-    connect(m_chart, &ChartPanel::written, this, [this](const QString& sentence) {
+    };
+    const auto tell = [this](const QString& sentence) {
         m_messages->showMessage(MessageBar::Kind::Note, sentence);
-    });
+    };
+    connect(m_chart, &ChartPanel::failed, this, complain);
+    connect(m_chart, &ChartPanel::written, this, tell);
+    connect(m_stability, &StabilityPanel::failed, this, complain);
+    connect(m_stability, &StabilityPanel::written, this, tell);
 }
 
 void MainWindow::makeMenus()

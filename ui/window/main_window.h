@@ -28,6 +28,7 @@ class MessageBar;
 class PanelActions;
 class ReadoutPanel;
 class ReportPanel;
+class StabilityPanel;
 class SeamPanel;
 class SelectionActions;
 class ToolActions;
@@ -96,6 +97,7 @@ private:
     HoverFilter* m_hoverFilter = nullptr; ///< a child of the read-out
     ReportPanel* m_report = nullptr;
     ChartPanel* m_chart = nullptr;
+    StabilityPanel* m_stability = nullptr;
     SeamPanel* m_seams = nullptr;
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;

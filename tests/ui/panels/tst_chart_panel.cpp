@@ -19,6 +19,7 @@
 
 #include "tests/ui/charts/made_up_study.h"
 #include "tests/ui/fixtures.h"
+#include "ui/docks/chart_advice.h"
 #include "ui/docks/chart_panel.h"
 #include "ui/docks/chart_view.h"
 #include "ui/document/background_job.h"
@@ -87,6 +88,7 @@ private slots:
         StudyOffer offer;
         offer.title = "Made up";
         offer.about = "Measures nothing.";
+        offer.stored = "Stored test textures";
         offer.header = madeUpStudy();
         offer.header.points.clear();
         offer.run = [fake = m_fake](const StudyInput& input, StudyWatcher& watcher) {
@@ -249,10 +251,30 @@ private slots:
         type("Tolerance", "1");
         QVERIFY2(advice->text().contains("probes-2, probes 16"), qPrintable(advice->text()));
         QCOMPARE(m_panel->view().plot().level->y, 0.01);
+        QVERIFY2(advice->text().contains("auto has no method"), qPrintable(advice->text()));
         type("Tolerance", "3");
         QVERIFY2(advice->text().contains("probes-1, probes 2"), qPrintable(advice->text()));
         click("Use the method for the tolerance");
         QCOMPARE(m_viewSettings->method(), (MethodChoice{"probes-1", 2}));
+    }
+
+    void autoIsToldForEachClass()
+    {
+        Study study;
+        for (const FootprintClass c : footprintClasses()) {
+            const bool grazing = std::string(trixel::nameOf(c)).ends_with("grazing");
+            study.points.push_back(madeUpPoint("nearest-level", 0, 10, grazing ? 0.2 : 0.001, c));
+            study.points.push_back(madeUpPoint("probes-1", 8, 80, 0.002, c));
+        }
+        StudyView view;
+        view.tolerance = 0.01;
+        ToleranceAdvice advice = adviceOf(study, view);
+        QVERIFY2(advice.text.contains("by class: nearest-level, probes-1:8"),
+                 qPrintable(advice.text));
+        QCOMPARE(advice.details.count("grazing"), 3);
+        view.footprintClass = FootprintClass::SmallGrazing;
+        advice = adviceOf(study, view);
+        QVERIFY2(advice.text.contains("auto takes probes-1:8 here"), qPrintable(advice.text));
     }
 
     void exportWritesTheFileOfTheChosenKind_data()
