@@ -154,7 +154,7 @@ QTableView* SeamPanel::makeTable()
     columns->setHighlightSections(false);
     // The numbers are of known length: no row needs to be measured.
     const auto widthOf = [this](const QString& text) {
-        constexpr int kPadding = 12;
+        constexpr int kPadding = 8;
         return fontMetrics().horizontalAdvance(text) + kPadding;
     };
     columns->resizeSection(SeamModel::Jump, widthOf("Jump %") + kSortArrow);
@@ -162,6 +162,7 @@ QTableView* SeamPanel::makeTable()
     columns->resizeSection(SeamModel::Face, widthOf("000000"));
     columns->resizeSection(SeamModel::Edge, widthOf("e0|e0"));
     columns->resizeSection(SeamModel::Neighbour, widthOf("000000"));
+    columns->resizeSection(SeamModel::Levels, widthOf("Levels"));
     columns->setSortIndicator(SeamModel::Jump, Qt::DescendingOrder);
     columns->setMinimumSectionSize(36);
     m_table->setSortingEnabled(true);
