@@ -13,6 +13,9 @@
 #include "ui/window/message_bar.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace trixel::app {
 
@@ -27,12 +30,36 @@ Status expect(bool holds, const std::string& sentence)
     return holds ? Status() : contentsError("tour: " + sentence);
 }
 
-/// A point of the front that is neither its start nor its end.
+/// Pixels from a point to the nearest other one.
+double roomAbout(const ui::ChartView& view, std::size_t source)
+{
+    const QPointF at = view.positionOf(source).value_or(QPointF());
+    double room = std::numeric_limits<double>::infinity();
+    for (const ui::PlotSeries& series : view.plot().series) {
+        for (const ui::PlotPoint& other : series.points) {
+            if (other.source != source) {
+                const QPointF apart = view.positionOf(other.source).value_or(QPointF()) - at;
+                room = std::min(room, std::hypot(apart.x(), apart.y()));
+            }
+        }
+    }
+    return room;
+}
+
+/// The middle one of the front's points that a click can choose: peers cannot be chosen, nor a
+/// point that another one covers. Which these are differs from run to run: they were measured just
+/// now.
 std::optional<std::size_t> pointInTheMiddle(const ui::ChartView& view)
 {
-    const std::vector<ui::PlotMark> front = frontOf(view.plot());
-    return front.size() < 3 ? std::nullopt
-                            : std::optional(pointOf(view.plot(), front[front.size() / 2]).source);
+    constexpr double kRoom = 8;
+    std::vector<std::size_t> points;
+    for (const ui::PlotMark& mark : frontOf(view.plot())) {
+        const std::size_t source = pointOf(view.plot(), mark).source;
+        if (!view.plot().series[mark.series].isPeer && roomAbout(view, source) >= kRoom) {
+            points.push_back(source);
+        }
+    }
+    return points.empty() ? std::nullopt : std::optional(points[points.size() / 2]);
 }
 
 } // namespace
