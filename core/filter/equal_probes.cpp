@@ -32,63 +32,40 @@ ProbeLine probeLine(const QueryEllipse& ellipse, int most)
     return line;
 }
 
-class EqualProbes final : public FilterMethod
+QueryCost equalProbesAnswer(int most,
+                            const FilterScene& scene,
+                            const QueryEllipse& ellipse,
+                            FaceId face,
+                            int group,
+                            GroupValue& value)
 {
-public:
-    explicit EqualProbes(int most)
-        : m_most(most)
-    {
+    const ProbeLine line = probeLine(ellipse, most);
+    const FilterSurface& surface = scene.surface();
+    const double log2Width = std::log2(kEdgePerSigma * line.sigma);
+    const glm::dvec2 step = surface.shape(face).toUv(line.spacing * ellipse.majorAxis);
+    TexelSum sum;
+    QueryCost cost{finerLevel(scene, face, ellipse.log2Edge - log2Width), 0};
+    const auto probe = [&](const SurfacePlace& at) {
+        const double level = surface.log2Length(at.face, at.uv) - log2Width;
+        cost.taps += addTrilinear(scene, at, level, group, 1, sum);
+    };
+    const SurfacePlace centre{face, ellipse.uv};
+    const bool odd = line.count % 2 != 0;
+    if (odd) {
+        probe(centre);
     }
-
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       return answer(scene, ellipse, face, group, value);
-                   });
-    }
-
-private:
-    QueryCost answer(const FilterScene& scene,
-                     const QueryEllipse& ellipse,
-                     FaceId face,
-                     int group,
-                     GroupValue& value) const
-    {
-        const ProbeLine line = probeLine(ellipse, m_most);
-        const FilterSurface& surface = scene.surface();
-        const double log2Width = std::log2(kEdgePerSigma * line.sigma);
-        const glm::dvec2 step = surface.shape(face).toUv(line.spacing * ellipse.majorAxis);
-        TexelSum sum;
-        QueryCost cost{finerLevel(scene, face, ellipse.log2Edge - log2Width), 0};
-        const auto probe = [&](const SurfacePlace& at) {
-            const double level = surface.log2Length(at.face, at.uv) - log2Width;
-            cost.taps += addTrilinear(scene, at, level, group, 1, sum);
-        };
-        const SurfacePlace centre{face, ellipse.uv};
-        const bool odd = line.count % 2 != 0;
-        if (odd) {
-            probe(centre);
+    // Outwards from the centre in both directions, each probe a step from the one before.
+    for (const double sign : {-1.0, 1.0}) {
+        SurfaceWalk walk{centre, {sign * step, glm::dvec2(0)}, false};
+        for (int k = 0; k < line.count / 2; ++k) {
+            const double steps = k == 0 && !odd ? 0.5 : 1.0;
+            walk = walkStraight(surface, walk.end, steps * walk.carried[0], walk.carried);
+            probe(walk.end);
         }
-        // Outwards from the centre in both directions, each probe a step from the one before.
-        for (const double sign : {-1.0, 1.0}) {
-            SurfaceWalk walk{centre, {sign * step, glm::dvec2(0)}, false};
-            for (int k = 0; k < line.count / 2; ++k) {
-                const double steps = k == 0 && !odd ? 0.5 : 1.0;
-                walk = walkStraight(surface, walk.end, steps * walk.carried[0], walk.carried);
-                probe(walk.end);
-            }
-        }
-        sum.store(value.data());
-        return cost;
     }
-
-    int m_most;
-};
+    sum.store(value.data());
+    return cost;
+}
 
 } // namespace
 
@@ -107,8 +84,10 @@ MethodEntry equalProbesMethod()
                                       .standard = 16,
                                       .curve = {2, 4, 8, 16},
                                       .whole = true};
-    entry.make = [](double parameter) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<EqualProbes>(static_cast<int>(parameter));
+    entry.make = [](double parameter) {
+        return perQueryMethod([most = static_cast<int>(parameter)](auto&&... query) {
+            return equalProbesAnswer(most, query...);
+        });
     };
     return entry;
 }

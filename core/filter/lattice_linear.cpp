@@ -190,45 +190,27 @@ private:
     int m_group;
 };
 
-class LatticeLinear final : public FilterMethod
+QueryCost latticeLinearAnswer(const FilterScene& scene,
+                              const QueryEllipse& ellipse,
+                              FaceId face,
+                              int group,
+                              GroupValue& value)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       return answer(scene, ellipse, face, group, value);
-                   });
+    // The circle of the ellipse's area.
+    const LevelBlend levels = levelBlend(ellipse, std::sqrt(ellipse.determinant), kHexlinKernel, 1);
+    const int base = scene.level(face).log2();
+    const int fine = std::min(levels.fine, base);
+    const float coarse = levels.fine <= base ? levels.coarseWeight : 0;
+    QueryCost cost{static_cast<float>(fine), 3};
+    if (coarse < 1) {
+        HexlinFace(scene, face, Level(fine), group).add(ellipse.uv, 1 - coarse, value);
     }
-
-private:
-    static QueryCost answer(const FilterScene& scene,
-                            const QueryEllipse& ellipse,
-                            FaceId face,
-                            int group,
-                            GroupValue& value)
-    {
-        // The circle of the ellipse's area.
-        const LevelBlend levels =
-            levelBlend(ellipse, std::sqrt(ellipse.determinant), kHexlinKernel, 1);
-        const int base = scene.level(face).log2();
-        const int fine = std::min(levels.fine, base);
-        const float coarse = levels.fine <= base ? levels.coarseWeight : 0;
-        QueryCost cost{static_cast<float>(fine), 3};
-        if (coarse < 1) {
-            HexlinFace(scene, face, Level(fine), group).add(ellipse.uv, 1 - coarse, value);
-        }
-        if (coarse > 0) {
-            HexlinFace(scene, face, Level(fine - 1), group).add(ellipse.uv, coarse, value);
-            cost.taps += 3;
-        }
-        return cost;
+    if (coarse > 0) {
+        HexlinFace(scene, face, Level(fine - 1), group).add(ellipse.uv, coarse, value);
+        cost.taps += 3;
     }
-};
+    return cost;
+}
 
 } // namespace
 
@@ -243,9 +225,7 @@ MethodEntry latticeLinearMethod()
                     .rotationFree = Claim::Yes,
                     .edgeContinuous = Claim::Yes,
                     .levelContinuous = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<LatticeLinear>();
-    };
+    entry.make = [](double) { return perQueryMethod(latticeLinearAnswer); };
     return entry;
 }
 

@@ -7,25 +7,16 @@
 namespace trixel {
 namespace {
 
-class NearestLevel final : public FilterMethod
+QueryCost nearestLevelAnswer(const FilterScene& scene,
+                             const QueryEllipse& ellipse,
+                             FaceId face,
+                             int group,
+                             GroupValue& value)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const Level level = nearestLevel(scene, face, roundLevel(ellipse));
-                       std::copy_n(texelUnder(scene, {face, ellipse.uv}, level, group),
-                                   kGroupChannels,
-                                   value.begin());
-                       return QueryCost{static_cast<float>(level.log2()), 1};
-                   });
-    }
-};
+    const Level level = nearestLevel(scene, face, roundLevel(ellipse));
+    std::copy_n(texelUnder(scene, {face, ellipse.uv}, level, group), kGroupChannels, value.begin());
+    return {static_cast<float>(level.log2()), 1};
+}
 
 } // namespace
 
@@ -36,9 +27,7 @@ MethodEntry nearestLevelMethod()
     entry.title = "Nearest level";
     entry.about = "The texel under the centre, on the mip level nearest to the footprint's width.";
     entry.claims = {.rotationFree = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<NearestLevel>();
-    };
+    entry.make = [](double) { return perQueryMethod(nearestLevelAnswer); };
     return entry;
 }
 

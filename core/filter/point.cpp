@@ -5,25 +5,18 @@
 namespace trixel {
 namespace {
 
-class Point final : public FilterMethod
+QueryCost pointAnswer(const FilterScene& scene,
+                      const QueryEllipse& ellipse,
+                      FaceId face,
+                      int group,
+                      GroupValue& value)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const Level level = scene.level(face);
-                       const TexelIndex index = texelIndex(level, texelAt(level, ellipse.uv));
-                       const LevelTexels texels = scene.mips().texels(face, level, group);
-                       std::copy_n(texels.texel(index), kGroupChannels, value.begin());
-                       return QueryCost{static_cast<float>(level.log2()), 1};
-                   });
-    }
-};
+    const Level level = scene.level(face);
+    const TexelIndex index = texelIndex(level, texelAt(level, ellipse.uv));
+    const LevelTexels texels = scene.mips().texels(face, level, group);
+    std::copy_n(texels.texel(index), kGroupChannels, value.begin());
+    return {static_cast<float>(level.log2()), 1};
+}
 
 } // namespace
 
@@ -34,9 +27,7 @@ MethodEntry pointMethod()
     entry.title = "Point";
     entry.about = "The texel under the centre, whatever the footprint.";
     entry.claims = {.rotationFree = Claim::Yes, .levelContinuous = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Point>();
-    };
+    entry.make = [](double) { return perQueryMethod(pointAnswer); };
     return entry;
 }
 

@@ -116,20 +116,14 @@ void finishQuery(const FilterScene& scene,
         } else {
             std::copy_n(scene.mips().average(face, group), kGroupChannels, value.begin());
         }
-        const int first = group * kGroupChannels;
-        for (int c = first; c < std::min(first + kGroupChannels, scene.channels()); ++c) {
-            results.values[static_cast<std::size_t>(c) * results.stride + q] =
-                value[static_cast<std::size_t>(c - first)];
-        }
+        storeAnswer(results, q, group, scene.channels(), value);
     }
-    if (!results.levels.empty()) {
-        const int level = std::min(work.list.fine, scene.level(face).log2());
-        results.levels[q] = hasCentre ? static_cast<float>(level) : 0;
-    }
-    if (!results.taps.empty()) {
-        const std::size_t taps = work.list.count * (work.coarseShare > 0 ? 6 : 3);
-        results.taps[q] = hasCentre ? static_cast<std::uint32_t>(taps) : 1;
-    }
+    const int level = std::min(work.list.fine, scene.level(face).log2());
+    const std::size_t taps = work.list.count * (work.coarseShare > 0 ? 6 : 3);
+    storeCost(results,
+              q,
+              hasCentre ? QueryCost{static_cast<float>(level), static_cast<std::uint32_t>(taps)}
+                        : QueryCost{0, 1});
 }
 
 void filterBlock(const FilterScene& scene,
@@ -176,9 +170,7 @@ void filterByProbes(const FilterScene& scene,
                     const ProbeSettings& settings,
                     const FilterResults& results)
 {
-    check(results.values.size() >=
-              static_cast<std::size_t>(scene.channels() - 1) * results.stride + queries.size(),
-          "room for every value");
+    checkRoom(scene, queries, results);
     HWY_DYNAMIC_DISPATCH(filterBlock)(scene, queries, settings, results);
 }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace trixel {
 
@@ -83,6 +85,37 @@ void filterEach(const FilterScene& scene,
         }
         storeCost(results, i, cost);
     }
+}
+
+/// A method that is nothing but such an answer.
+/// \param answer  (scene, ellipse, face, group, value) → QueryCost; no state that a call changes
+template <class Answer>
+std::unique_ptr<const FilterMethod> perQueryMethod(Answer answer)
+{
+    class PerQuery final : public FilterMethod
+    {
+    public:
+        explicit PerQuery(Answer one)
+            : m_answer(std::move(one))
+        {
+        }
+
+        void filter(const FilterScene& scene,
+                    const FilterQueries& queries,
+                    const FilterResults& results) const override
+        {
+            filterEach(scene,
+                       queries,
+                       results,
+                       [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
+                           return m_answer(scene, ellipse, face, group, value);
+                       });
+        }
+
+    private:
+        Answer m_answer;
+    };
+    return std::make_unique<PerQuery>(std::move(answer));
 }
 
 } // namespace trixel

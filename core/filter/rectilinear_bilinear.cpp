@@ -7,25 +7,18 @@
 namespace trixel {
 namespace {
 
-class RectilinearBilinear final : public FilterMethod
+QueryCost bilinearAnswer(const FilterScene& scene,
+                         const QueryEllipse& ellipse,
+                         FaceId face,
+                         int group,
+                         GroupValue& value)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const Level level = nearestLevel(scene, face, roundLevel(ellipse));
-                       TexelSum sum;
-                       addRectilinearBilinear(scene, {face, ellipse.uv}, level, group, 1, sum);
-                       sum.store(value.data());
-                       return QueryCost{static_cast<float>(level.log2()), 4};
-                   });
-    }
-};
+    const Level level = nearestLevel(scene, face, roundLevel(ellipse));
+    TexelSum sum;
+    addRectilinearBilinear(scene, {face, ellipse.uv}, level, group, 1, sum);
+    sum.store(value.data());
+    return {static_cast<float>(level.log2()), 4};
+}
 
 } // namespace
 
@@ -37,9 +30,7 @@ MethodEntry rectilinearBilinearMethod()
     entry.about = "Linear along two rows of texels and between them, on the mip level nearest to "
                   "the footprint's width.";
     entry.claims = {.affineKept = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<RectilinearBilinear>();
-    };
+    entry.make = [](double) { return perQueryMethod(bilinearAnswer); };
     return entry;
 }
 

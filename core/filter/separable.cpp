@@ -241,60 +241,42 @@ private:
     TexelSum m_sum;
 };
 
-class Separable final : public FilterMethod
+/// The finest level on which the box is not too wide.
+Level levelOf(const FilterScene& scene, const QueryEllipse& ellipse, FaceId face, const RowBox& box)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       return answer(scene, ellipse, face, group, value);
-                   });
+    // Lengths as in an equilateral face of the same area, so that the continuous field applies.
+    const FaceShape& shape = scene.surface().shape(face);
+    const double edge = std::sqrt(shape.e1.x * shape.e2.y * 2 / std::numbers::sqrt3);
+    const double narrow = edge * std::min(box.x, box.y);
+    const Level base = scene.level(face);
+    Level level =
+        nearestLevel(scene, face, std::floor(levelOfEdge(ellipse, narrow / kNarrowSigma)));
+    while (level > Level(0) && levelBox(box, level, base).taps() > kMostBoxTaps) {
+        level = level.coarser();
     }
+    return level;
+}
 
-private:
-    /// The finest level on which the box is not too wide.
-    static Level
-    levelOf(const FilterScene& scene, const QueryEllipse& ellipse, FaceId face, const RowBox& box)
-    {
-        // Lengths as in an equilateral face of the same area, so that the continuous field applies.
-        const FaceShape& shape = scene.surface().shape(face);
-        const double edge = std::sqrt(shape.e1.x * shape.e2.y * 2 / std::numbers::sqrt3);
-        const double narrow = edge * std::min(box.x, box.y);
-        const Level base = scene.level(face);
-        Level level =
-            nearestLevel(scene, face, std::floor(levelOfEdge(ellipse, narrow / kNarrowSigma)));
-        while (level > Level(0) && levelBox(box, level, base).taps() > kMostBoxTaps) {
-            level = level.coarser();
-        }
-        return level;
-    }
-
-    static QueryCost answer(const FilterScene& scene,
-                            const QueryEllipse& ellipse,
-                            FaceId face,
-                            int group,
-                            GroupValue& value)
-    {
-        const RowBox whole = rowBox(ellipse, scene.surface().shape(face));
-        const Level level = levelOf(scene, ellipse, face, whole);
-        const LevelBox box = cutToMostTaps(levelBox(whole, level, scene.level(face)));
-        const double r = level.resolution();
-        const AxisWeights columns(kColumnsPerTexel * (ellipse.uv.x + ellipse.uv.y / 2) * r,
-                                  box.columns);
-        // A texel's centroid lies a sixth of a row above the row's middle where its column and row
-        // are both even or both odd, below it elsewhere.
-        const AxisWeights rows(ellipse.uv.y * r - 0.5, box.rows, columns.alternating() / 6);
-        const BoxSum sum(scene, {face, ellipse.uv}, level, group, columns, rows);
-        sum.total().store(value.data());
-        return {static_cast<float>(level.log2()),
-                static_cast<std::uint32_t>(columns.count * rows.count)};
-    }
-};
+QueryCost separableAnswer(const FilterScene& scene,
+                          const QueryEllipse& ellipse,
+                          FaceId face,
+                          int group,
+                          GroupValue& value)
+{
+    const RowBox whole = rowBox(ellipse, scene.surface().shape(face));
+    const Level level = levelOf(scene, ellipse, face, whole);
+    const LevelBox box = cutToMostTaps(levelBox(whole, level, scene.level(face)));
+    const double r = level.resolution();
+    const AxisWeights columns(kColumnsPerTexel * (ellipse.uv.x + ellipse.uv.y / 2) * r,
+                              box.columns);
+    // A texel's centroid lies a sixth of a row above the row's middle where its column and row
+    // are both even or both odd, below it elsewhere.
+    const AxisWeights rows(ellipse.uv.y * r - 0.5, box.rows, columns.alternating() / 6);
+    const BoxSum sum(scene, {face, ellipse.uv}, level, group, columns, rows);
+    sum.total().store(value.data());
+    return {static_cast<float>(level.log2()),
+            static_cast<std::uint32_t>(columns.count * rows.count)};
+}
 
 } // namespace
 
@@ -306,9 +288,7 @@ MethodEntry separableMethod()
     entry.about = "A Gaussian along rows of texels times one across them, over the bounding box of "
                   "the ellipse on a mip level.";
     entry.claims = {.affineKept = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Separable>();
-    };
+    entry.make = [](double) { return perQueryMethod(separableAnswer); };
     return entry;
 }
 

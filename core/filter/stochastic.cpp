@@ -66,54 +66,30 @@ glm::dvec2 normal(glm::dvec2 square)
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-class Stochastic final : public FilterMethod
+QueryCost stochasticAnswer(int samples,
+                           const FilterScene& scene,
+                           const QueryEllipse& ellipse,
+                           FaceId face,
+                           int group,
+                           GroupValue& value)
 {
-public:
-    explicit Stochastic(int samples)
-        : m_samples(samples)
-    {
+    // A look-up at a random point of a texel spreads it over the texel: s²/24 along any axis.
+    const double texel = std::exp2(2 * ellipse.log2Texel) / 24;
+    const auto sigma = [&](double whole) { return std::sqrt(whole * whole - texel); };
+    const FaceShape& shape = scene.surface().shape(face);
+    const glm::dvec2 major = shape.toUv(sigma(ellipse.majorSigma) * ellipse.majorAxis);
+    const glm::dvec2 minor = shape.toUv(sigma(ellipse.minorSigma) * ellipse.minorAxis());
+    EvenPoints points(hashOf(ellipse, face));
+    TexelSum sum;
+    for (int k = 0; k < samples; ++k) {
+        const glm::dvec2 z = normal(points.next());
+        const SurfaceWalk walk =
+            walkStraight(scene.surface(), {face, ellipse.uv}, z.x * major + z.y * minor);
+        sum.add(texelUnder(scene, walk.end, scene.level(walk.end.face), group), 1);
     }
-
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       return answer(scene, ellipse, face, group, value);
-                   });
-    }
-
-private:
-    QueryCost answer(const FilterScene& scene,
-                     const QueryEllipse& ellipse,
-                     FaceId face,
-                     int group,
-                     GroupValue& value) const
-    {
-        // A look-up at a random point of a texel spreads it over the texel: s²/24 along any axis.
-        const double texel = std::exp2(2 * ellipse.log2Texel) / 24;
-        const auto sigma = [&](double whole) { return std::sqrt(whole * whole - texel); };
-        const FaceShape& shape = scene.surface().shape(face);
-        const glm::dvec2 major = shape.toUv(sigma(ellipse.majorSigma) * ellipse.majorAxis);
-        const glm::dvec2 minor = shape.toUv(sigma(ellipse.minorSigma) * ellipse.minorAxis());
-        EvenPoints points(hashOf(ellipse, face));
-        TexelSum sum;
-        for (int k = 0; k < m_samples; ++k) {
-            const glm::dvec2 z = normal(points.next());
-            const SurfaceWalk walk =
-                walkStraight(scene.surface(), {face, ellipse.uv}, z.x * major + z.y * minor);
-            sum.add(texelUnder(scene, walk.end, scene.level(walk.end.face), group), 1);
-        }
-        sum.store(value.data());
-        return {static_cast<float>(scene.level(face).log2()),
-                static_cast<std::uint32_t>(m_samples)};
-    }
-
-    int m_samples;
-};
+    sum.store(value.data());
+    return {static_cast<float>(scene.level(face).log2()), static_cast<std::uint32_t>(samples)};
+}
 
 } // namespace
 
@@ -136,8 +112,10 @@ MethodEntry stochasticMethod()
                                       .standard = 16,
                                       .curve = {1, 4, 16, 64},
                                       .whole = true};
-    entry.make = [](double parameter) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Stochastic>(static_cast<int>(parameter));
+    entry.make = [](double parameter) {
+        return perQueryMethod([samples = static_cast<int>(parameter)](auto&&... query) {
+            return stochasticAnswer(samples, query...);
+        });
     };
     return entry;
 }

@@ -7,26 +7,18 @@
 namespace trixel {
 namespace {
 
-class Trilinear final : public FilterMethod
+QueryCost trilinearAnswer(const FilterScene& scene,
+                          const QueryEllipse& ellipse,
+                          FaceId face,
+                          int group,
+                          GroupValue& value)
 {
-public:
-    void filter(const FilterScene& scene,
-                const FilterQueries& queries,
-                const FilterResults& results) const override
-    {
-        filterEach(scene,
-                   queries,
-                   results,
-                   [&](const QueryEllipse& ellipse, FaceId face, int group, GroupValue& value) {
-                       const double level = roundLevel(ellipse);
-                       TexelSum sum;
-                       const std::uint32_t taps =
-                           addTrilinear(scene, {face, ellipse.uv}, level, group, 1, sum);
-                       sum.store(value.data());
-                       return QueryCost{finerLevel(scene, face, level), taps};
-                   });
-    }
-};
+    const double level = roundLevel(ellipse);
+    TexelSum sum;
+    const std::uint32_t taps = addTrilinear(scene, {face, ellipse.uv}, level, group, 1, sum);
+    sum.store(value.data());
+    return {finerLevel(scene, face, level), taps};
+}
 
 } // namespace
 
@@ -37,9 +29,7 @@ MethodEntry trilinearMethod()
     entry.title = "Trilinear";
     entry.about = "Bilinear in rows on the two mip levels about the footprint's width, blended.";
     entry.claims = {.affineKept = Claim::Yes, .levelContinuous = Claim::Yes};
-    entry.make = [](double) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Trilinear>();
-    };
+    entry.make = [](double) { return perQueryMethod(trilinearAnswer); };
     return entry;
 }
 
