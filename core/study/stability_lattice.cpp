@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Texels under points, weights along rows, and textures that are data.
-#include "core/footprint/gaussian_weights.h"
+#include "core/filter/exact_kernel.h"
 #include "core/lattice/texel.h"
 #include "core/study/stability_naive.h"
 #include "core/study/stability_sweeps.h"
@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace trixel::sweeps {
 
@@ -155,32 +157,51 @@ StabilitySweep texelBorders()
     return sweep;
 }
 
+double exactRowWeight(Level level, glm::dvec2 start, glm::dvec2 step, double offset)
+{
+    // Other rows lie beyond any cut, and all texels are alike.
+    constexpr double kBeyond = 1e9;
+    HalfLattice row(TexelHalf::Lower, level, {0, 0}, {1, 0}, {0, 1});
+    row.origin = start;
+    row.alongRow = step;
+    row.perRow = {0, kBeyond};
+    const std::array<float, kGroupChannels> one{1, 1, 1, 1};
+    ExactSums sums;
+    addExactly({one.data(), 0}, row, kBeyond / 1e3, offset, 1, sums);
+    return sums.weight;
+}
+
 StabilitySweep gaussianRuns()
 {
     StabilitySweep sweep{.name = "gaussian-runs",
                          .title = "Gaussian weights along long rows",
                          .hazard = "Products of factors drift, and cannot leave 0 again.",
-                         .property = "Every weight is that of exp, relative to the largest.",
+                         .property = "The weights of a row, as exact adds them, sum to those of "
+                                     "exp.",
                          .axisTitle = "texels in the row",
-                         .errorTitle = "error over the largest weight",
+                         .errorTitle = "error over the sum",
                          .bound = 1e-5,
-                         .values = geometric(8, 65536, 2)};
-    addCurves(sweep, "one product, float", "anew every 64", [](double count) {
+                         .values = geometric(8, Level(Level::kMax).resolution(), 2)};
+    addCurves(sweep, "one product, float", "anew from exp", [](double count) {
         ErrorPair errors;
+        const Level level(static_cast<int>(std::lround(std::log2(count))));
         // From so many standard deviations on one side to as many on the other.
         for (const double reach : {6.0, 12.0}) {
             const glm::dvec2 start(-reach, 0.3);
             const glm::dvec2 step(2 * reach / count, 1e-3 / count);
-            std::vector<double> textbook(static_cast<std::size_t>(count));
-            std::vector<double> robust(textbook.size());
+            std::vector<double> textbook(level.resolution());
             naive::gaussianWeights(start, step, 0, textbook);
-            gaussianWeights(start, step, 0, robust);
-            for (std::size_t k = 0; k < robust.size(); ++k) {
+            const double product = std::accumulate(textbook.begin(), textbook.end(), 0.0);
+            long double truth = 0;
+            for (std::uint32_t k = 0; k < level.resolution(); ++k) {
                 const long double x = start.x + static_cast<long double>(k) * step.x;
                 const long double y = start.y + static_cast<long double>(k) * step.y;
-                const auto truth = static_cast<double>(std::exp(-(x * x + y * y) / 2));
-                errors.add(std::abs(textbook[k] - truth), std::abs(robust[k] - truth));
+                truth += std::exp(-(x * x + y * y) / 2);
             }
+            const auto error = [&](double sum) {
+                return static_cast<double>(std::abs((sum - truth) / truth));
+            };
+            errors.add(error(product), error(exactRowWeight(level, start, step, 0)));
         }
         return errors;
     });

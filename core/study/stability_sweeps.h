@@ -41,6 +41,11 @@ StabilitySweep needleFaces();
 StabilitySweep valence();
 StabilitySweep levelStep();
 
+/// Sum of the weights of one row of a face's texels, as the kernel of `exact` adds them:
+/// exp((offset - |start + k step|²) / 2), k from 0 below the resolution.
+/// \param start, step  in standard deviations
+double exactRowWeight(Level level, glm::dvec2 start, glm::dvec2 step, double offset);
+
 inline constexpr double kNoAnswer = std::numeric_limits<double>::infinity();
 
 /// |found - expected| / |expected|, infinite where `found` is not a number.

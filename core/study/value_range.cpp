@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <unordered_set>
+#include <vector>
 
 namespace trixel {
 
@@ -12,20 +14,32 @@ namespace {
 
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
+/// One face of all that share their values: unpainted meshes and tiles have few.
+std::vector<FaceId> distinctFaces(const FloatMips& mips)
+{
+    std::unordered_set<const float*> seen;
+    std::vector<FaceId> faces;
+    for (std::size_t f = 0; f < mips.faceCount(); ++f) {
+        const bool isRun = f > 0 && mips.share(faceId(f), faceId(f - 1));
+        if (!isRun && seen.insert(mips.average(faceId(f))).second) {
+            faces.push_back(faceId(f));
+        }
+    }
+    return faces;
+}
+
 } // namespace
 
 ValueBounds ValueBounds::of(const FloatMips& mips, Threads threads)
 {
-    constexpr std::size_t kGrain = 256;
+    constexpr std::size_t kGrain = 64;
+    const std::vector<FaceId> faces = distinctFaces(mips);
     ValueBounds all;
     std::mutex mutex;
-    parallelFor(mips.faceCount(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    parallelFor(faces.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         ValueBounds part;
-        for (std::size_t f = begin; f < end; ++f) {
-            // Unpainted meshes are long runs of one value.
-            if (f == begin || !mips.share(faceId(f), faceId(f - 1))) {
-                part.add(mips, faceId(f));
-            }
+        for (std::size_t k = begin; k < end; ++k) {
+            part.add(mips, faces[k]);
         }
         const std::lock_guard lock(mutex);
         all.add(part.m_channels);

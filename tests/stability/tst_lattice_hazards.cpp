@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Texels under points, weights along rows, textures as data: one test a row of the table.
-#include "core/footprint/gaussian_weights.h"
 #include "core/lattice/texel.h"
+#include "core/study/stability_sweeps.h"
 #include "tests/stability/hazard_row.h"
 
 #include <array>
@@ -74,22 +74,19 @@ TEST(LatticeHazards, gaussianWeightsAreThoseOfExpAlongAnyRow)
 {
     expectKept("gaussian-runs");
     // From 40 standard deviations on one side, where all underflows, to 40 on the other.
-    for (const std::size_t count : {3U, 64U, 65U, 1000U, 50000U}) {
+    for (int n = 2; n <= Level::kMax; ++n) {
+        const Level level(n);
         const glm::dvec2 start(-40, 0.1);
-        const glm::dvec2 step(80.0 / static_cast<double>(count), 0);
-        std::vector<double> weights(count);
-        gaussianWeights(start, step, 0, weights);
-        for (std::size_t k = 0; k < count; ++k) {
+        const glm::dvec2 step(80.0 / level.resolution(), 0);
+        double sum = 0;
+        for (std::uint32_t k = 0; k < level.resolution(); ++k) {
             const glm::dvec2 p = start + static_cast<double>(k) * step;
-            ASSERT_NEAR(weights[k], std::exp(-glm::dot(p, p) / 2), 1e-5) << k << " of " << count;
+            sum += std::exp(-glm::dot(p, p) / 2);
         }
+        EXPECT_NEAR(sweeps::exactRowWeight(level, start, step, 0) / sum, 1, 1e-5) << n;
     }
-    // Steps of thousands of standard deviations, relative to the nearest point.
-    std::array<double, 5> far{};
-    gaussianWeights({3000, 4000}, {-3000, 0}, 1.6e7, far);
-    EXPECT_EQ(far[0], 0);
-    EXPECT_NEAR(far[1], 1, 1e-5);
-    EXPECT_EQ(far[2], 0);
+    // Steps of thousands of standard deviations, relative to the nearest point: it alone weighs.
+    EXPECT_NEAR(sweeps::exactRowWeight(Level(1), {3000, 4000}, {-3000, 0}, 1.6e7), 1, 1e-5);
 }
 
 TEST(LatticeHazards, testTexturesAreDataThatNoBuildChanges)
