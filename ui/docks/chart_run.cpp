@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/chart_run.h"
 
-#include "ui/document/background_job.h"
-
 #include <utility>
 
 namespace trixel::ui {
 
 namespace {
-
-/// Often enough to look alive, seldom enough to leave the processors to the measurement.
-constexpr int kTakeEveryMs = 120;
 
 /// The study's view of the inbox.
 class InboxWatcher final : public StudyWatcher
@@ -33,19 +28,15 @@ private:
 } // namespace
 
 ChartRun::ChartRun(BackgroundJobs& jobs, QObject* parent)
-    : QObject(parent)
-    , m_jobs(jobs)
+    : MeasuredRun(jobs, parent)
 {
-    m_timer.setInterval(kTakeEveryMs);
-    connect(&m_timer, &QTimer::timeout, this, &ChartRun::takePoints);
 }
 
 void ChartRun::start(const StudyOffer& offer, StudyInput input)
 {
-    if (m_running) {
+    if (isRunning()) {
         return;
     }
-    m_running = true;
     m_study = offer.header;
     m_study.subject = input.name.toStdString();
     m_places.clear();
@@ -55,39 +46,23 @@ void ChartRun::start(const StudyOffer& offer, StudyInput input)
         InboxWatcher watcher(progress, *inbox);
         return run(input, watcher);
     };
-    const auto done = [self = QPointer(this)](Result<Study> result) {
-        if (self) {
-            self->finish(std::move(result));
-        }
-    };
-    m_job = &m_jobs.run(tr("Measuring: %1").arg(offer.title), work, done);
-    connect(m_job, &BackgroundJob::progressed, this, &ChartRun::progressed);
-    m_timer.start();
-    emit started();
-    emit grew();
+    launch(tr("Measuring: %1").arg(offer.title), work, [this](Study study) {
+        m_study = std::move(study);
+    });
 }
 
-void ChartRun::cancel()
-{
-    if (m_job) {
-        m_job->cancel();
-    }
-}
-
-double ChartRun::fraction() const
-{
-    return m_job ? m_job->fraction() : 0;
-}
-
-void ChartRun::takePoints()
+bool ChartRun::take()
 {
     const std::vector<StudyPoint> points = m_inbox->take();
     for (const StudyPoint& point : points) {
         add(point);
     }
-    if (!points.empty()) {
-        emit grew();
-    }
+    return !points.empty();
+}
+
+void ChartRun::settle()
+{
+    markFront(m_study.points);
 }
 
 void ChartRun::add(const StudyPoint& point)
@@ -98,23 +73,6 @@ void ChartRun::add(const StudyPoint& point)
         m_study.points.push_back(point);
     } else {
         m_study.points[place->second] = point;
-    }
-}
-
-void ChartRun::finish(Result<Study> result)
-{
-    m_timer.stop();
-    m_running = false;
-    takePoints();
-    if (result) {
-        m_study = std::move(*result);
-    } else {
-        markFront(m_study.points); // what was measured before the end, as it is exported
-    }
-    emit grew();
-    emit ended();
-    if (!result && result.error().kind != ErrorKind::Cancelled) {
-        emit failed(QString::fromStdString(result.error().message));
     }
 }
 

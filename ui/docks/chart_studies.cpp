@@ -23,8 +23,6 @@ QString tr(const char* text)
 /// Enough footprints for every class to have some.
 constexpr int kFootprints = 1000;
 constexpr std::uint64_t kSeed = 1;
-/// Tiles along a side of the patch that stored footprints lie on, as the command line has it.
-constexpr int kTiles = 3;
 /// Share of the whole that preparing takes.
 constexpr double kPreparing = 0.3;
 constexpr double kInviting = 0.1; ///< of it, for the peers
@@ -32,7 +30,7 @@ constexpr double kInviting = 0.1; ///< of it, for the peers
 Result<std::vector<StudySubject>> subjectsOf(const StudyInput& input, Progress& progress)
 {
     if (!input.project) {
-        return storedSubjects(kTiles, Threads::all(), progress);
+        return storedSubjects(kStudyTiles, Threads::all(), progress);
     }
     StageProgress building(progress, 0, 0.3);
     auto scene = studyScene(*input.project, building);

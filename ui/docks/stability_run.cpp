@@ -2,15 +2,14 @@
 #include "ui/docks/stability_run.h"
 
 #include "ui/docks/study_scene.h"
-#include "ui/document/background_job.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace trixel::ui {
 
 namespace {
-
-constexpr int kTakeEveryMs = 120;
 
 /// The sweeps' view of the inbox.
 class InboxWatcher final : public StabilityWatcher
@@ -50,20 +49,16 @@ StabilityWork stabilityWork()
 }
 
 StabilityRun::StabilityRun(BackgroundJobs& jobs, StabilityWork work, QObject* parent)
-    : QObject(parent)
-    , m_jobs(jobs)
+    : MeasuredRun(jobs, parent)
     , m_work(std::move(work))
 {
-    m_timer.setInterval(kTakeEveryMs);
-    connect(&m_timer, &QTimer::timeout, this, &StabilityRun::takeSweeps);
 }
 
 void StabilityRun::start(StabilityInput input)
 {
-    if (m_running) {
+    if (isRunning()) {
         return;
     }
-    m_running = true;
     m_report = {};
     m_inbox = std::make_shared<Inbox<StabilitySweep>>();
     const auto work = [run = m_work, inbox = m_inbox, input = std::move(input)](
@@ -71,54 +66,16 @@ void StabilityRun::start(StabilityInput input)
         InboxWatcher watcher(progress, *inbox);
         return run(input, watcher);
     };
-    const auto done = [self = QPointer(this)](Result<StabilityReport> result) {
-        if (self) {
-            self->finish(std::move(result));
-        }
-    };
-    m_job = &m_jobs.run(tr("Sweeping through the hazards…"), work, done);
-    connect(m_job, &BackgroundJob::progressed, this, &StabilityRun::progressed);
-    m_timer.start();
-    emit started();
-    emit grew();
+    launch(tr("Sweeping through the hazards…"), work, [this](StabilityReport report) {
+        m_report = std::move(report);
+    });
 }
 
-void StabilityRun::cancel()
-{
-    if (m_job) {
-        m_job->cancel();
-    }
-}
-
-double StabilityRun::fraction() const
-{
-    return m_job ? m_job->fraction() : 0;
-}
-
-void StabilityRun::takeSweeps()
+bool StabilityRun::take()
 {
     std::vector<StabilitySweep> sweeps = m_inbox->take();
-    for (StabilitySweep& sweep : sweeps) {
-        m_report.sweeps.push_back(std::move(sweep));
-    }
-    if (!sweeps.empty()) {
-        emit grew();
-    }
-}
-
-void StabilityRun::finish(Result<StabilityReport> result)
-{
-    m_timer.stop();
-    m_running = false;
-    takeSweeps();
-    if (result) {
-        m_report = std::move(*result);
-    }
-    emit grew();
-    emit ended();
-    if (!result && result.error().kind != ErrorKind::Cancelled) {
-        emit failed(QString::fromStdString(result.error().message));
-    }
+    std::ranges::move(sweeps, std::back_inserter(m_report.sweeps));
+    return !sweeps.empty();
 }
 
 } // namespace trixel::ui
