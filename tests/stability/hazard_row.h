@@ -3,7 +3,7 @@
 // What all rows of the table of hazards have in common.
 #pragma once
 
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Every filter of the table where filters fail, one test a row of the table of hazards.
 #include "core/filter/filter_method.h"
 #include "core/filter/query_ellipse.h"
-#include "core/study/stability_scenes.h"
+#include "core/study/stability/scenes.h"
 #include "tests/stability/hazard_row.h"
 
 #include <array>

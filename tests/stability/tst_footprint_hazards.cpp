@@ -6,8 +6,8 @@
 #include "core/footprint/footprint.h"
 #include "core/footprint/projected_face.h"
 #include "core/footprint/screen_derivatives.h"
-#include "core/study/stability_scenes.h"
-#include "core/study/stability_truth.h"
+#include "core/study/stability/scenes.h"
+#include "core/study/stability/truth.h"
 #include "tests/stability/hazard_row.h"
 
 #include <bit>

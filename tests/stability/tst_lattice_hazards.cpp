@@ -2,7 +2,7 @@
 //
 // Texels under points, weights along rows, textures as data: one test a row of the table.
 #include "core/lattice/texel.h"
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/sweeps.h"
 #include "tests/stability/hazard_row.h"
 
 #include <array>

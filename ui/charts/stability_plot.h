@@ -3,7 +3,7 @@
 
 #include <QStringList>
 
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 #include "ui/charts/plot.h"
 
 namespace trixel::ui {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/stability_export.h"
 
-#include "core/study/stability_files.h"
+#include "core/study/stability/report_files.h"
 #include "ui/charts/stability_plot.h"
 #include "ui/charts/write_chart.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 #include "ui/docks/chart_export.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/io/project.h"
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 #include "ui/docks/inbox.h"
 #include "ui/docks/measured_run.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 
 #include "app/cli/filter_input.h"
 #include "app/cli/study/studies.h"
-#include "core/study/stability_files.h"
+#include "core/study/stability/report_files.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

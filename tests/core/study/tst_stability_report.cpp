@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability.h"
-#include "core/study/stability_files.h"
-#include "core/study/stability_scenes.h"
+#include "core/study/stability/report_files.h"
+#include "core/study/stability/scenes.h"
+#include "core/study/stability/stability.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

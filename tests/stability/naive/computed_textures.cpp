@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Test textures computed where they are needed.
-#include "core/study/stability_naive.h"
+#include "core/study/stability/naive_forms.h"
 #include "core/study/test_scene.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 //
 // Every row of texels weighed by one product along the whole of it, in single precision.
 #include "core/filter/exact_kernel.h"
-#include "core/study/stability_naive.h"
+#include "core/study/stability/naive_forms.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability_naive.h"
+#include "core/study/stability/naive_forms.h"
 
 namespace trixel {
 

@@ -3,7 +3,7 @@
 // Neither limits W nor asks whether it is a number; in single precision.
 #include "core/filter/query_ellipse.h"
 
-#include "core/study/stability_naive.h"
+#include "core/study/stability/naive_forms.h"
 
 #include <cmath>
 

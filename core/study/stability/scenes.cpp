@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability_scenes.h"
+#include "core/study/stability/scenes.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,8 +3,8 @@
 // Texels under points, weights along rows, and textures that are data.
 #include "core/filter/exact_kernel.h"
 #include "core/lattice/texel.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/sweeps.h"
 #include "core/study/test_scene.h"
 
 #include <array>

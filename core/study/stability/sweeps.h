@@ -3,7 +3,7 @@
 // The sweeps themselves, and what they have in common.
 #pragma once
 
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 
 #include <cmath>
 #include <limits>

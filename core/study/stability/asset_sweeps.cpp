@@ -4,8 +4,8 @@
 #include "core/filter/filter_method.h"
 #include "core/lattice/edge_transfer.h"
 #include "core/mesh/triangle_geometry.h"
-#include "core/study/stability.h"
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/stability.h"
+#include "core/study/stability/sweeps.h"
 #include "core/study/value_range.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/filter/filter_method.h"
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/sweeps.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,7 +3,7 @@
 // A stability report as text, tables and a sheet of pictures.
 #pragma once
 
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 
 #include <string>
 

@@ -3,9 +3,9 @@
 // What every filter has to keep wherever it is asked: constants, its taps, and NaN where it is.
 #include "core/filter/filter_method.h"
 #include "core/filter/query_ellipse.h"
-#include "core/study/stability_filter_cases.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_scenes.h"
+#include "core/study/stability/filter_cases.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/scenes.h"
 
 #include <array>
 #include <glm/geometric.hpp>

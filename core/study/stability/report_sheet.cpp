@@ -2,7 +2,7 @@
 //
 // The sheet of small multiples. Colours are those of Okabe and Ito, which everybody can tell apart;
 // the textbook's curve is dashed besides.
-#include "core/study/stability_files.h"
+#include "core/study/stability/report_files.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 // Jumps across edges: vertices where few or many faces meet, faces of unlike levels.
 #include "core/filter/filter_method.h"
 #include "core/lattice/edge_transfer.h"
-#include "core/study/stability_filter_cases.h"
-#include "core/study/stability_scenes.h"
+#include "core/study/stability/filter_cases.h"
+#include "core/study/stability/scenes.h"
 
 #include <array>
 #include <cstdint>

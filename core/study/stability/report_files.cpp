@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability_files.h"
+#include "core/study/stability/report_files.h"
 
 #include <algorithm>
 #include <cmath>

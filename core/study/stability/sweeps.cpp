@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/sweeps.h"
 
 #include <array>
 #include <charconv>

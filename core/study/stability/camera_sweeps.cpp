@@ -4,9 +4,9 @@
 #include "core/footprint/footprint.h"
 #include "core/footprint/projected_face.h"
 #include "core/footprint/screen_derivatives.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_sweeps.h"
-#include "core/study/stability_truth.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/sweeps.h"
+#include "core/study/stability/truth.h"
 
 #include <array>
 #include <glm/geometric.hpp>

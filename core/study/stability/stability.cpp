@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/stability.h"
+#include "core/study/stability/stability.h"
 
 #include "core/base/check.h"
-#include "core/study/stability_sweeps.h"
+#include "core/study/stability/sweeps.h"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 // Ellipses of footprints: parallel vectors, long ellipses, circles, vectors of any length.
 #include "core/filter/query_ellipse.h"
 #include "core/footprint/covariance.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_scenes.h"
-#include "core/study/stability_sweeps.h"
-#include "core/study/stability_truth.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/scenes.h"
+#include "core/study/stability/sweeps.h"
+#include "core/study/stability/truth.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 //
 // The sphere map: its seam, its quadrants, its poles.
 #include "core/mapping/sphere.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_sweeps.h"
-#include "core/study/stability_truth.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/sweeps.h"
+#include "core/study/stability/truth.h"
 
 #include <numbers>
 

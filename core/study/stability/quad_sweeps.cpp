@@ -2,9 +2,9 @@
 //
 // The inverse bilinear quad: near a parallelogram, without area, crossed over.
 #include "core/mapping/quad.h"
-#include "core/study/stability_naive.h"
-#include "core/study/stability_sweeps.h"
-#include "core/study/stability_truth.h"
+#include "core/study/stability/naive_forms.h"
+#include "core/study/stability/sweeps.h"
+#include "core/study/stability/truth.h"
 
 #include <algorithm>
 
