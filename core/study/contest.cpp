@@ -117,7 +117,8 @@ Contestants tableContestants(const std::vector<StudySubject>& subjects)
     return contestants;
 }
 
-Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Progress& progress)
+Result<std::vector<StudySubject>>
+storedSubjects(const TestPatch& patch, Threads threads, Progress& progress)
 {
     const auto data = parseTestData(storedTestFiles());
     if (!data) {
@@ -127,12 +128,15 @@ Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Pro
     for (const TestContent content : kTestContents) {
         const double begin = 0.5 * static_cast<double>(subjects.size());
         StageProgress building(progress, begin, begin + 0.5);
-        auto scene = buildTestScene(*data, content, tiles, threads, building);
+        auto scene = buildTestScene(*data, content, patch, threads, building);
         if (!scene) {
             return tl::unexpected(scene.error());
         }
         StudySubject subject;
         subject.name = nameOf(content);
+        if (patch.faces == TestFaces::Large) {
+            subject.name += " on large faces";
+        }
         NoProgress quick; // one tile has the range of all
         const auto tile =
             FloatMips::build(data->tiles[static_cast<std::size_t>(content)], threads, quick);
@@ -141,7 +145,7 @@ Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Pro
         subject.queries = std::move(scene->queries);
         subject.exact = std::move(scene->exact);
         subject.content = content;
-        subject.tiles = tiles;
+        subject.patch = patch;
         subjects.push_back(std::move(subject));
     }
     return subjects;

@@ -27,9 +27,9 @@ struct StudySubject
     QueryArrays queries;
     std::vector<float> exact; ///< channel c of query i at c * queries.size() + i
     double range = 1;         ///< what errors are fractions of
-    /// Where the subject is a patch of stored tiles: which, and how many a side.
+    /// Where the subject is a patch of stored tiles: of which content, and the patch.
     std::optional<TestContent> content;
-    int tiles = 0;
+    TestPatch patch{0};
 };
 
 /// Queries that a contestant has put into its own terms; that work is not timed.
@@ -81,8 +81,9 @@ Contestants tableContestants(const std::vector<StudySubject>& subjects);
 inline constexpr int kStudyTiles = kAllQueriesTiles;
 
 /// The stored distribution on both stored textures.
-/// \param tiles  see `buildTestScene`
-Result<std::vector<StudySubject>> storedSubjects(int tiles, Threads threads, Progress& progress);
+/// \param patch  see `buildTestScene`
+Result<std::vector<StudySubject>>
+storedSubjects(const TestPatch& patch, Threads threads, Progress& progress);
 
 /// Footprints spread over a surface by area, widths and anisotropies as in the stored distribution
 /// (¼ to 64 texels and 1 to 64, both log-uniform), with their exact values. The same seed gives the

@@ -2,6 +2,7 @@
 #include "core/study/test_scene.h"
 
 #include "core/io/ptx.h"
+#include "core/lattice/texel.h"
 #include "core/study/query_table.h"
 
 #include <algorithm>
@@ -60,14 +61,66 @@ Adjacency rhombicAdjacency(int size, Wrap wrap)
     return adjacency;
 }
 
-/// Face of a patch of size² rhombi that repeats a face of the tile, in tile (column, row).
-FaceId inPatch(FaceId face, int column, int row, int size)
+/// Rhombi along a side.
+int rhombiAcross(const TestPatch& patch)
 {
-    const std::size_t a =
-        rhombusOf(face) % kTileRhombi + static_cast<std::size_t>(column * kTileRhombi);
-    const std::size_t b =
-        rhombusOf(face) / kTileRhombi + static_cast<std::size_t>(row * kTileRhombi);
-    return faceId(2 * (a + b * static_cast<std::size_t>(size)) + (isUpper(face) ? 1 : 0));
+    return patch.tiles * rhombiAcross(patch.faces);
+}
+
+/// Face of a patch that repeats a face of the tile, in tile (column, row).
+FaceId inPatch(FaceId face, int column, int row, const TestPatch& patch)
+{
+    const auto across = static_cast<std::size_t>(rhombiAcross(patch.faces));
+    const std::size_t a = rhombusOf(face) % across + static_cast<std::size_t>(column) * across;
+    const std::size_t b = rhombusOf(face) / across + static_cast<std::size_t>(row) * across;
+    const auto size = static_cast<std::size_t>(rhombiAcross(patch));
+    return faceId(2 * (a + b * size) + (isUpper(face) ? 1 : 0));
+}
+
+/// Edge of a face in edges of small faces.
+double edgeOf(TestFaces faces)
+{
+    return static_cast<double>(kTileRhombi) / rhombiAcross(faces);
+}
+
+/// A point of a face.
+struct FacePoint
+{
+    FaceId face{};
+    glm::dvec2 uv{0};
+};
+
+/// The point of the tile that `inTile` puts there.
+FacePoint pointOfTile(glm::dvec2 at, TestFaces faces)
+{
+    const int across = rhombiAcross(faces);
+    const glm::dvec2 rhombi = at / edgeOf(faces);
+    const int a = std::clamp(static_cast<int>(rhombi.x), 0, across - 1);
+    const int b = std::clamp(static_cast<int>(rhombi.y), 0, across - 1);
+    const glm::dvec2 uv = rhombi - glm::dvec2(a, b);
+    const bool upper = uv.x + uv.y > 1;
+    const auto face = static_cast<std::size_t>(2 * (a + across * b) + (upper ? 1 : 0));
+    return {faceId(face), upper ? 1.0 - uv : uv};
+}
+
+/// The texels of the tile dealt out to other faces.
+TexelStore rearranged(const TexelStore& tile, TestFaces faces)
+{
+    const auto rhombi = static_cast<std::uint32_t>(rhombiAcross(faces));
+    const Level level = levelOf(faces);
+    const std::size_t size = tile.format().texelBytes();
+    TexelStore store(2 * rhombi * rhombi, tile.format(), level, tile.face(faceId(0)).texel(0));
+    for (std::uint32_t f = 0; f < store.faceCount(); ++f) {
+        const std::span<std::byte> texels = store.writable(faceId(f));
+        for (std::uint32_t t = 0; t < level.texelCount(); ++t) {
+            const glm::dvec2 middle = centroid(level, texelAt(level, TexelIndex{t}));
+            const FacePoint from = pointOfTile(inTile(faceId(f), middle, faces), TestFaces::Small);
+            const TexelIndex index = texelIndex(kTileLevel, texelAt(kTileLevel, from.uv));
+            std::ranges::copy(tile.face(from.face).texel(indexOf(index)),
+                              texels.begin() + static_cast<std::ptrdiff_t>(t * size));
+        }
+    }
+    return store;
 }
 
 Status expectTile(const TexelStore& tile)
@@ -116,34 +169,47 @@ bool staysInside(const QueryArrays& queries, std::size_t i, int tiles)
 }
 
 /// Every face of the patch shares the bytes of its face of the tile.
-TexelStore repeated(const TexelStore& tile, int tiles)
+TexelStore repeated(const TexelStore& tile, const TestPatch& patch)
 {
-    const int size = tiles * kTileRhombi;
+    const int size = rhombiAcross(patch);
     const auto rhombi = static_cast<std::uint32_t>(size * size);
     const std::array<std::byte, kChannels> black{};
-    TexelStore store(2 * rhombi, tile.format(), kTileLevel, black);
-    for (int row = 0; row < tiles; ++row) {
-        for (int column = 0; column < tiles; ++column) {
-            for (std::uint32_t f = 0; f < kTileFaces; ++f) {
-                store.exchange(inPatch(faceId(f), column, row, size), tile.face(faceId(f)));
+    TexelStore store(2 * rhombi, tile.format(), levelOf(patch.faces), black);
+    for (int row = 0; row < patch.tiles; ++row) {
+        for (int column = 0; column < patch.tiles; ++column) {
+            for (std::uint32_t f = 0; f < tile.faceCount(); ++f) {
+                store.exchange(inPatch(faceId(f), column, row, patch), tile.face(faceId(f)));
             }
         }
     }
     return store;
 }
 
+/// A stored query on the middle tile of a patch.
+void addQuery(const QueryArrays& from, std::size_t i, const TestPatch& patch, QueryArrays& out)
+{
+    const FacePoint at = pointOfTile(inTile(from.face[i], {from.u[i], from.v[i]}), patch.faces);
+    // Vectors turn over with their faces.
+    const bool same = isUpper(from.face[i]) == isUpper(at.face);
+    const double scale = (same ? 1 : -1) / edgeOf(patch.faces);
+    const auto moved = [&](float u, float v) { return scale * glm::dvec2(u, v); };
+    out.add(inPatch(at.face, patch.tiles / 2, patch.tiles / 2, patch),
+            at.uv,
+            moved(from.uw1[i], from.vw1[i]),
+            moved(from.uw2[i], from.vw2[i]));
+}
+
 /// The stored queries that stay inside, moved to the middle tile, with their exact values.
-void selectQueries(const TestData& data, TestContent content, int tiles, TestScene& out)
+void selectQueries(const TestData& data,
+                   TestContent content,
+                   const TestPatch& patch,
+                   TestScene& out)
 {
     const QueryArrays& all = data.queries;
-    const int size = tiles * kTileRhombi;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (staysInside(all, i, tiles)) {
+        if (staysInside(all, i, patch.tiles)) {
             out.stored.push_back(i);
-            out.queries.add(inPatch(all.face[i], tiles / 2, tiles / 2, size),
-                            {all.u[i], all.v[i]},
-                            {all.uw1[i], all.vw1[i]},
-                            {all.uw2[i], all.vw2[i]});
+            addQuery(all, i, patch, out.queries);
         }
     }
     const std::vector<float>& exact = data.exact[static_cast<std::size_t>(content)];
@@ -161,24 +227,47 @@ std::string_view nameOf(TestContent content)
     return content == TestContent::Natural ? "natural" : "hard-edged";
 }
 
-glm::dvec2 inTile(FaceId face, glm::dvec2 uv)
+std::string_view nameOf(TestFaces faces)
 {
-    const glm::dvec2 corner(static_cast<double>(rhombusOf(face) % kTileRhombi),
-                            static_cast<double>(rhombusOf(face) / kTileRhombi));
-    return isUpper(face) ? corner + 1.0 - uv : corner + uv;
+    return faces == TestFaces::Small ? "small" : "large";
 }
 
-FaceId tileFace(FaceId patchFace, int tiles)
+int rhombiAcross(TestFaces faces)
 {
-    const auto size = static_cast<std::size_t>(tiles * kTileRhombi);
-    const std::size_t a = rhombusOf(patchFace) % size % kTileRhombi;
-    const std::size_t b = rhombusOf(patchFace) / size % kTileRhombi;
-    return faceId(2 * (a + b * kTileRhombi) + (isUpper(patchFace) ? 1 : 0));
+    return faces == TestFaces::Small ? kTileRhombi : 1;
 }
 
-Adjacency tileAdjacency()
+Level levelOf(TestFaces faces)
 {
-    return rhombicAdjacency(kTileRhombi, around);
+    return faces == TestFaces::Small ? kTileLevel : Level(9);
+}
+
+glm::dvec2 inTile(FaceId face, glm::dvec2 uv, TestFaces faces)
+{
+    const auto across = static_cast<std::size_t>(rhombiAcross(faces));
+    const glm::dvec2 corner(static_cast<double>(rhombusOf(face) % across),
+                            static_cast<double>(rhombusOf(face) / across));
+    return edgeOf(faces) * (isUpper(face) ? corner + 1.0 - uv : corner + uv);
+}
+
+FaceId tileFace(FaceId patchFace, const TestPatch& patch)
+{
+    const auto size = static_cast<std::size_t>(rhombiAcross(patch));
+    const auto across = static_cast<std::size_t>(rhombiAcross(patch.faces));
+    const std::size_t a = rhombusOf(patchFace) % size % across;
+    const std::size_t b = rhombusOf(patchFace) / size % across;
+    return faceId(2 * (a + b * across) + (isUpper(patchFace) ? 1 : 0));
+}
+
+Adjacency tileAdjacency(TestFaces faces)
+{
+    return rhombicAdjacency(rhombiAcross(faces), around);
+}
+
+TexelStore tileOf(const TestData& data, TestContent content, TestFaces faces)
+{
+    const TexelStore& stored = data.tiles[static_cast<std::size_t>(content)];
+    return faces == TestFaces::Small ? stored : rearranged(stored, faces);
 }
 
 Result<TestData> parseTestData(const TestDataFiles& files)
@@ -205,15 +294,19 @@ Result<TestData> parseTestData(const TestDataFiles& files)
     return data;
 }
 
-Result<TestScene> buildTestScene(
-    const TestData& data, TestContent content, int tiles, Threads threads, Progress& progress)
+Result<TestScene> buildTestScene(const TestData& data,
+                                 TestContent content,
+                                 const TestPatch& patch,
+                                 Threads threads,
+                                 Progress& progress)
 {
-    check(tiles >= 1 && tiles <= kAllQueriesTiles && tiles % 2 == 1, "an odd number of tiles");
+    check(patch.tiles >= 1 && patch.tiles <= kAllQueriesTiles && patch.tiles % 2 == 1,
+          "an odd number of tiles");
     TestScene made;
-    selectQueries(data, content, tiles, made);
-    const TexelStore store = repeated(data.tiles[static_cast<std::size_t>(content)], tiles);
+    selectQueries(data, content, patch, made);
+    const TexelStore store = repeated(tileOf(data, content, patch.faces), patch);
     auto surface = std::make_shared<const FilterSurface>(
-        FilterSurface::equilateral(rhombicAdjacency(tiles * kTileRhombi, nothingBeyond)));
+        FilterSurface::equilateral(rhombicAdjacency(rhombiAcross(patch), nothingBeyond)));
     auto scene = FilterScene::build(std::move(surface), store, threads, progress);
     if (!scene) {
         return tl::unexpected(scene.error());

@@ -21,8 +21,8 @@
 
 namespace trixel {
 
-/// The tile: kTileRhombi² rhombi of two equilateral faces of edge 1, periodic. Rhombus (a, b) is
-/// the faces 2 (a + kTileRhombi b), its lower half, and the one after, its upper half.
+/// The tile as stored: kTileRhombi² rhombi of two equilateral faces of edge 1, periodic. Rhombus
+/// (a, b) is the faces 2 (a + kTileRhombi b), its lower half, and the one after, its upper half.
 inline constexpr int kTileRhombi = 8;
 inline constexpr std::uint32_t kTileFaces = 2 * kTileRhombi * kTileRhombi;
 inline constexpr Level kTileLevel{6};
@@ -35,14 +35,40 @@ inline constexpr std::array<TestContent, 2> kTestContents = {TestContent::Natura
                                                              TestContent::HardEdged};
 std::string_view nameOf(TestContent content);
 
-/// Oblique coordinates of a point of a face of the tile, in rhombi: (1,0) and (0,1) are its axes.
-glm::dvec2 inTile(FaceId face, glm::dvec2 uv);
+/// How the tile's texels are dealt out to faces. Texels, footprints and what is exact are the same
+/// either way; what differs is how many faces a footprint lies on.
+enum class TestFaces {
+    Small, ///< as stored: kTileRhombi² rhombi of level kTileLevel, 18 faces a footprint
+    Large  ///< one rhombus of two faces of level 9, which few footprints leave
+};
+inline constexpr std::array<TestFaces, 2> kTestFaces = {TestFaces::Small, TestFaces::Large};
+std::string_view nameOf(TestFaces faces);
+/// Rhombi along a side of the tile; rhombus (a, b) is the faces 2 (a + b times this) and after.
+int rhombiAcross(TestFaces faces);
+Level levelOf(TestFaces faces);
 
-/// The face of the tile that a face of a patch of so many tiles a side repeats.
-FaceId tileFace(FaceId patchFace, int tiles);
+/// A square of equal tiles.
+struct TestPatch
+{
+    TestPatch(int tilesAcross, TestFaces cutInto = TestFaces::Small)
+        : tiles(tilesAcross)
+        , faces(cutInto)
+    {
+    }
+
+    int tiles; ///< along each side
+    TestFaces faces;
+};
+
+/// Oblique coordinates of a point of a face of the tile, in edges of its small faces: (1,0) and
+/// (0,1) are its axes.
+glm::dvec2 inTile(FaceId face, glm::dvec2 uv, TestFaces faces = TestFaces::Small);
+
+/// The face of the tile that a face of a patch repeats.
+FaceId tileFace(FaceId patchFace, const TestPatch& patch);
 
 /// Neighbours on the tile, which closes upon itself.
-Adjacency tileAdjacency();
+Adjacency tileAdjacency(TestFaces faces = TestFaces::Small);
 
 /// The files of tests/data/study.
 struct TestDataFiles
@@ -69,6 +95,9 @@ struct TestData
 /// Errors name the file and the place in it.
 Result<TestData> parseTestData(const TestDataFiles& files);
 
+/// The tile of a content, texel for texel, in faces of either size.
+TexelStore tileOf(const TestData& data, TestContent content, TestFaces faces);
+
 /// A flat patch of equal tiles whose faces share their texels, and the queries on its middle one.
 struct TestScene
 {
@@ -82,10 +111,14 @@ struct TestScene
 /// Tiles along each side of a patch so large that no query reaches its border.
 inline constexpr int kAllQueriesTiles = 57;
 
-/// \param tiles  along each side of the patch, odd, in [1, kAllQueriesTiles] (checked). Queries
-///               whose ellipse at six standard deviations reaches beyond the patch are left out.
+/// \param patch  of an odd number of tiles a side in [1, kAllQueriesTiles] (checked). Queries whose
+///               ellipse at six standard deviations reaches beyond it are left out, the same ones
+///               whatever the faces.
 /// Fails only when cancelled.
-Result<TestScene> buildTestScene(
-    const TestData& data, TestContent content, int tiles, Threads threads, Progress& progress);
+Result<TestScene> buildTestScene(const TestData& data,
+                                 TestContent content,
+                                 const TestPatch& patch,
+                                 Threads threads,
+                                 Progress& progress);
 
 } // namespace trixel

@@ -161,6 +161,8 @@ TEST_F(CliStudy, saysWhatIsMissingOrCannotBe)
     EXPECT_THAT(runTrixel({"study", "reduction"}), FailsWith(2, "--output"));
     EXPECT_THAT(runTrixel({"study", "speed-accuracy", "-o", path("out"), "--samples", "none"}),
                 FailsWith(2, "--samples"));
+    EXPECT_THAT(runTrixel({"study", "speed-accuracy", "-o", path("out"), "--faces", "huge"}),
+                FailsWith(2, "--faces: expected small or large, found 'huge'"));
     EXPECT_THAT(runTrixel({"study", "speed-accuracy", path("none.trixel"), "-o", path("out")}),
                 FailsWith(3, "none.trixel"));
     EXPECT_THAT(runTrixel({"study", "speed-accuracy", mesh(), "--mesh", mesh(), "-o", path("out")}),

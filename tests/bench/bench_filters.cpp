@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Speed against accuracy of filter methods on the stored distribution, as ratios to the reference
-// loop within one run: bench_filters [rounds] [methods...], e.g. bench_filters 5 probes-2:32.
+// loop within one run: bench_filters [--faces small|large] [rounds] [methods...], e.g.
+// bench_filters --faces large 5 probes-2:32. Without --faces, a table for each.
 #include "core/filter/filter_method.h"
 #include "core/study/test_scene.h"
 
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,6 @@ using namespace trixel;
 namespace {
 
 constexpr std::string_view kReference = "reference-loop";
-constexpr int kTiles = kAllQueriesTiles;
 
 struct Row
 {
@@ -63,7 +64,7 @@ void judge(Row& row, const TestScene& scene, const ResultArrays& results)
     }
 }
 
-std::vector<Row> rowsOf(int count, char** names)
+std::vector<Row> rowsOf(std::span<char* const> names)
 {
     std::vector<Row> rows;
     const auto add = [&](const MethodChoice& choice) {
@@ -72,15 +73,15 @@ std::vector<Row> rowsOf(int count, char** names)
     if (findMethod(kReference) != nullptr) {
         add({std::string(kReference), std::nullopt});
     }
-    for (int k = 0; k < count; ++k) {
-        const auto choice = parseMethod(names[k]);
+    for (const char* name : names) {
+        const auto choice = parseMethod(name);
         if (!choice) {
             std::fprintf(stderr, "%s\n", choice.error().message.c_str());
             std::exit(2);
         }
         add(*choice);
     }
-    if (count == 0) {
+    if (names.empty()) {
         add({"lattice-linear", std::nullopt});
         for (const char* name : {"probes-1", "probes-2"}) {
             for (const double probes : findMethod(name)->parameter->curve) {
@@ -91,27 +92,25 @@ std::vector<Row> rowsOf(int count, char** names)
     return rows;
 }
 
-} // namespace
-
-int main(int count, char** arguments)
+std::vector<TestScene> scenesOf(const TestData& data, TestFaces faces)
 {
-    const int rounds = count > 1 ? std::max(1, std::atoi(arguments[1])) : 5;
-    std::vector<Row> rows = rowsOf(std::max(count - 2, 0), arguments + 2);
-    const auto data = parseTestData(storedTestFiles());
-    if (!data) {
-        std::fprintf(stderr, "%s\n", data.error().message.c_str());
-        return 2;
-    }
     std::vector<TestScene> scenes;
     NoProgress progress;
     for (const TestContent content : kTestContents) {
-        scenes.push_back(*buildTestScene(*data, content, kTiles, Threads{1}, progress));
-        std::printf("%s: %zu queries; mips %.1f MB, pyramid %.1f MB\n",
+        const TestPatch patch(kAllQueriesTiles, faces);
+        scenes.push_back(*buildTestScene(data, content, patch, Threads{1}, progress));
+        std::printf("%s, %s faces: %zu queries; mips %.1f MB, pyramid %.1f MB\n",
                     std::string(nameOf(content)).c_str(),
+                    std::string(nameOf(faces)).c_str(),
                     scenes.back().queries.size(),
                     double(scenes.back().scene.mips().memoryBytes()) / 1e6,
                     double(scenes.back().scene.pyramid().memoryBytes()) / 1e6);
     }
+    return scenes;
+}
+
+void measure(std::vector<Row>& rows, const std::vector<TestScene>& scenes, int rounds)
+{
     std::vector<std::vector<double>> best(rows.size(), std::vector<double>(scenes.size(), 1e30));
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -124,17 +123,20 @@ int main(int count, char** arguments)
             }
         }
     }
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        rows[r].nanoseconds = 0;
+        for (const double each : best[r]) {
+            rows[r].nanoseconds += each / double(scenes.size());
+        }
+    }
+}
+
+void print(std::vector<Row>& rows, std::size_t samples)
+{
     std::printf("%-18s %9s %8s %8s %8s %8s\n", "method", "ns", "ratio", "rms %", "p99 %", "taps");
     double reference = 0;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        Row& row = rows[r];
-        row.nanoseconds = 0;
-        for (const double each : best[r]) {
-            row.nanoseconds += each / double(scenes.size());
-        }
-        if (row.name == kReference) {
-            reference = row.nanoseconds;
-        }
+    for (Row& row : rows) {
+        reference = row.name == kReference ? row.nanoseconds : reference;
         const std::size_t at = row.errors.size() * 99 / 100;
         std::ranges::nth_element(row.errors, row.errors.begin() + std::ptrdiff_t(at));
         std::printf("%-18s %9.1f %8.1f %8.3f %8.2f %8.1f\n",
@@ -143,7 +145,44 @@ int main(int count, char** arguments)
                     reference / row.nanoseconds,
                     100 * std::sqrt(row.squares / double(row.errors.size())),
                     100 * row.errors[at],
-                    row.taps / double(scenes.size() * scenes[0].queries.size()));
+                    row.taps / double(samples));
+    }
+}
+
+/// The sizes asked for; their words are taken out of the arguments.
+std::vector<TestFaces> facesOf(std::vector<char*>& arguments)
+{
+    if (arguments.empty() || std::string_view(arguments[0]) != "--faces") {
+        return {kTestFaces.begin(), kTestFaces.end()};
+    }
+    for (const TestFaces faces : kTestFaces) {
+        if (arguments.size() > 1 && arguments[1] == nameOf(faces)) {
+            arguments.erase(arguments.begin(), arguments.begin() + 2);
+            return {faces};
+        }
+    }
+    std::fprintf(stderr, "--faces: expected small or large.\n");
+    std::exit(2);
+}
+
+} // namespace
+
+int main(int count, char** words)
+{
+    std::vector<char*> arguments(words + 1, words + count);
+    const std::vector<TestFaces> sizes = facesOf(arguments);
+    const int rounds = arguments.empty() ? 5 : std::max(1, std::atoi(arguments[0]));
+    const std::span names = std::span(arguments).subspan(arguments.empty() ? 0 : 1);
+    const auto data = parseTestData(storedTestFiles());
+    if (!data) {
+        std::fprintf(stderr, "%s\n", data.error().message.c_str());
+        return 2;
+    }
+    for (const TestFaces faces : sizes) {
+        std::vector<Row> rows = rowsOf(names);
+        const std::vector<TestScene> scenes = scenesOf(*data, faces);
+        measure(rows, scenes, rounds);
+        print(rows, scenes.size() * scenes[0].queries.size());
     }
     return 0;
 }

@@ -24,14 +24,27 @@ struct Arguments
     std::string seed = "1";
     std::string rounds = "5";
     std::string limit = "4";
+    std::string faces{trixel::nameOf(TestFaces::Small)};
 };
 
 struct Numbers
 {
     int samples = 0;
     std::uint64_t seed = 0;
+    TestFaces faces = TestFaces::Small;
     SpeedAccuracyOptions options;
 };
+
+Result<TestFaces> facesNamed(std::string_view name)
+{
+    const auto found = std::ranges::find_if(
+        kTestFaces, [&](TestFaces faces) { return trixel::nameOf(faces) == name; });
+    if (found == kTestFaces.end()) {
+        return contentsError("--faces: expected small or large, found '" + std::string(name) +
+                             "'.");
+    }
+    return *found;
+}
 
 Result<Numbers> numbersOf(const Arguments& arguments)
 {
@@ -48,7 +61,11 @@ Result<Numbers> numbersOf(const Arguments& arguments)
     if (!limit) {
         return tl::unexpected(limit.error());
     }
-    Numbers numbers{static_cast<int>(*samples), static_cast<std::uint64_t>(*seed), {}};
+    const auto faces = facesNamed(arguments.faces);
+    if (!faces) {
+        return tl::unexpected(faces.error());
+    }
+    Numbers numbers{static_cast<int>(*samples), static_cast<std::uint64_t>(*seed), *faces, {}};
     numbers.options.rounds = static_cast<int>(*rounds);
     numbers.options.secondsAtMost = *limit;
     numbers.options.secondsOfRounds = *limit;
@@ -64,7 +81,7 @@ struct Subjects
 Result<Subjects> subjectsOf(const Arguments& arguments, const Numbers& numbers, Progress& progress)
 {
     if (!arguments.file) {
-        return storedSubjects(kStudyTiles, Threads::all(), progress)
+        return storedSubjects({kStudyTiles, numbers.faces}, Threads::all(), progress)
             .map([](std::vector<StudySubject>&& subjects) {
                 return Subjects{std::move(subjects), {}};
             });
@@ -155,6 +172,12 @@ void addSpeedAccuracy(CLI::App& verb, Work& chosen)
     name->add_option("--limit", arguments->limit, "Seconds that one method may take")
         ->capture_default_str()
         ->type_name("S");
+    name->add_option("--faces",
+                     arguments->faces,
+                     "Faces of the stored textures: small, about 18 a footprint, or large, which "
+                     "few footprints leave")
+        ->capture_default_str()
+        ->type_name("SIZE");
     name->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return study(*arguments, progress); };
     });

@@ -45,7 +45,8 @@ protected:
 
 /// Of a patch of stored tiles, a picture of the tile, periodic: each pixel the mean of 4 × 4
 /// points, two to three pixels a texel.
-std::unique_ptr<const Atlas> makePlanarAtlas(const TestData& data, TestContent content, int tiles);
+std::unique_ptr<const Atlas>
+makePlanarAtlas(const TestData& data, TestContent content, const TestPatch& patch);
 
 /// Of any scene, every face in a square of its own with two pixels a texel along each edge (one
 /// where that would be more than 64 million in all), its values continued beyond its edges for two

@@ -81,7 +81,7 @@ private:
 std::unique_ptr<const Atlas> atlasOf(const StudySubject& subject, const TestData* data)
 {
     return subject.content && data != nullptr
-               ? makePlanarAtlas(*data, *subject.content, subject.tiles)
+               ? makePlanarAtlas(*data, *subject.content, subject.patch)
                : makeFaceAtlas(*subject.scene);
 }
 

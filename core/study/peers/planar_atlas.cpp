@@ -18,8 +18,8 @@ constexpr double kUp = 2 * kTileRhombi * kSine;
 class PlanarAtlas final : public Atlas
 {
 public:
-    PlanarAtlas(const TilePicture& tile, int tiles)
-        : m_tiles(tiles)
+    PlanarAtlas(const TilePicture& tile, const TestPatch& patch)
+        : m_patch(patch)
         , m_values(3 * std::size_t{kWidth} * kHeight)
     {
         for (int y = 0; y < kHeight; ++y) {
@@ -39,11 +39,12 @@ public:
 protected:
     glm::dvec2 position(FaceId face, glm::dvec2 uv) const override
     {
-        return inPicture(inTile(tileFace(face, m_tiles), uv));
+        return inPicture(inTile(tileFace(face, m_patch), uv, m_patch.faces));
     }
     glm::dvec2 vector(FaceId face, glm::dvec2 w) const override
     {
-        return inPicture(indexOf(face) % 2 == 0 ? w : -w);
+        const FaceId half = faceId(indexOf(face) % 2); // vectors know no place
+        return inPicture(inTile(half, w, m_patch.faces) - inTile(half, {0, 0}, m_patch.faces));
     }
 
 private:
@@ -71,16 +72,17 @@ private:
         return sum;
     }
 
-    int m_tiles;
+    TestPatch m_patch;
     std::vector<float> m_values;
 };
 
 } // namespace
 
-std::unique_ptr<const Atlas> makePlanarAtlas(const TestData& data, TestContent content, int tiles)
+std::unique_ptr<const Atlas>
+makePlanarAtlas(const TestData& data, TestContent content, const TestPatch& patch)
 {
     return std::make_unique<PlanarAtlas>(TilePicture(data.tiles[static_cast<std::size_t>(content)]),
-                                         tiles);
+                                         patch);
 }
 
 } // namespace trixel

@@ -22,14 +22,18 @@ struct Textures
 class PreparedFaces final : public PreparedQueries
 {
 public:
-    /// \param tiles  of a patch, whose faces become those of the tile; 0: faces stay
-    PreparedFaces(const FaceTexture& texture, int channels, const FilterQueries& queries, int tiles)
+    /// \param patch  whose faces become those of the tile; of 0 tiles: faces stay
+    PreparedFaces(const FaceTexture& texture,
+                  int channels,
+                  const FilterQueries& queries,
+                  const TestPatch& patch)
         : m_texture(texture)
         , m_channels(channels)
         , m_queries(queries)
     {
         for (const FaceId face : queries.face) {
-            m_faces.push_back(static_cast<int>(indexOf(tiles > 0 ? tileFace(face, tiles) : face)));
+            m_faces.push_back(
+                static_cast<int>(indexOf(patch.tiles > 0 ? tileFace(face, patch) : face)));
         }
     }
 
@@ -71,7 +75,7 @@ public:
         return std::make_unique<PreparedFaces>(*m_textures->textures[subject],
                                                m_subjects[subject].scene->channels(),
                                                queries,
-                                               m_subjects[subject].tiles);
+                                               m_subjects[subject].patch);
     }
 
 private:
@@ -115,8 +119,8 @@ Status writeFor(const StudySubject& subject,
 {
     PtxContents contents;
     if (subject.content && data != nullptr) {
-        contents.texels = data->tiles[static_cast<std::size_t>(*subject.content)];
-        contents.adjacency = tileAdjacency();
+        contents.texels = tileOf(*data, *subject.content, subject.patch.faces);
+        contents.adjacency = tileAdjacency(subject.patch.faces);
     } else {
         contents.texels = storeOf(*subject.scene);
         contents.adjacency = subject.scene->surface().adjacency();

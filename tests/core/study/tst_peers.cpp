@@ -39,13 +39,20 @@ QueryArrays atCentroids(const FilterScene& scene, std::uint32_t each)
     return queries;
 }
 
+/// Of the natural tile; takes a while to make.
+const Atlas& smallAtlas()
+{
+    static const auto kAtlas =
+        makePlanarAtlas(parseTestData(storedTestFiles()).value(), TestContent::Natural, 1);
+    return *kAtlas;
+}
+
 TEST(PlanarAtlas, showsTheTileWhereItsFacesLie)
 {
-    const auto data = parseTestData(storedTestFiles()).value();
     const FilterScene& scene = *smallSubjects()[0].scene;
-    const auto atlas = makePlanarAtlas(data, TestContent::Natural, 1);
+    const Atlas& atlas = smallAtlas();
     const QueryArrays queries = atCentroids(scene, 40);
-    const AtlasSamples samples = atlas->samples(scene, queries.queries());
+    const AtlasSamples samples = atlas.samples(scene, queries.queries());
     double squares = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const Level level = scene.level(queries.face[i]);
@@ -53,20 +60,43 @@ TEST(PlanarAtlas, showsTheTileWhereItsFacesLie)
         const float* truth =
             scene.mips().texels(queries.face[i], level).texel(texelIndex(level, texel));
         const double error = static_cast<double>(
-            pixelAt(atlas->picture(), double{samples.s[i]}, double{samples.t[i]}, 1) - truth[1]);
+            pixelAt(atlas.picture(), double{samples.s[i]}, double{samples.t[i]}, 1) - truth[1]);
         squares += error * error;
     }
     // Pixels are not quite inside the texels.
     EXPECT_LT(std::sqrt(squares / static_cast<double>(queries.size())), 0.03);
 }
 
-TEST(PlanarAtlas, derivativesKeepTheFootprintsAreaAndSpanItsTexels)
+TEST(PlanarAtlas, samplesAreTheSameOnLargeFaces)
 {
     const auto data = parseTestData(storedTestFiles()).value();
+    NoProgress progress;
+    const TestPatch patch(1, TestFaces::Large);
+    const auto large = storedSubjects(patch, Threads{2}, progress).value();
+    const StudySubject& small = smallSubjects()[0];
+    const AtlasSamples a = smallAtlas().samples(*small.scene, small.queries.queries());
+    const AtlasSamples b = makePlanarAtlas(data, TestContent::Natural, patch)
+                               ->samples(*large[0].scene, large[0].queries.queries());
+    ASSERT_EQ(a.s.size(), b.s.size());
+    for (std::size_t i = 0; i < a.s.size(); ++i) {
+        EXPECT_NEAR(a.s[i], b.s[i], 1e-6);
+        EXPECT_NEAR(a.t[i], b.t[i], 1e-6);
+        // A round footprint has axes of any direction.
+        const auto area = [i](const AtlasSamples& x) {
+            return x.dsdx[i] * x.dtdy[i] - x.dsdy[i] * x.dtdx[i];
+        };
+        EXPECT_NEAR(std::abs(area(a)), std::abs(area(b)), 1e-4 * std::abs(area(a)));
+        EXPECT_NEAR(std::hypot(a.dsdx[i], a.dsdy[i]), std::hypot(b.dsdx[i], b.dsdy[i]), 1e-6);
+        EXPECT_NEAR(std::hypot(a.dtdx[i], a.dtdy[i]), std::hypot(b.dtdx[i], b.dtdy[i]), 1e-6);
+    }
+}
+
+TEST(PlanarAtlas, derivativesKeepTheFootprintsAreaAndSpanItsTexels)
+{
     const FilterScene& scene = *smallSubjects()[0].scene;
-    const auto atlas = makePlanarAtlas(data, TestContent::Natural, 1);
+    const Atlas& atlas = smallAtlas();
     const FilterQueries queries = smallSubjects()[0].queries.queries();
-    const AtlasSamples samples = atlas->samples(scene, queries);
+    const AtlasSamples samples = atlas.samples(scene, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const QueryEllipse ellipse = queryEllipse(scene, queries, i);
         // The picture is 8 edges wide and 16 sin 60° high.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/read_file.h"
+#include "core/filter/filter_method.h"
 #include "core/study/footprint_class.h"
 #include "core/study/query_table.h"
 #include "core/study/test_scene.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <gmock/gmock.h>
+#include <map>
 #include <string>
 
 namespace trixel {
@@ -170,6 +172,54 @@ TEST(TestScene, patchRepeatsTheTileAndSharesItsTexels)
         decode(TexelType::UInt8, data().tiles[1].face(stored).texel(0), first);
         EXPECT_TRUE(std::equal(first.begin(), first.end(), own));
     }
+}
+
+TEST(TestScene, largeFacesHoldTheSameTexelsAtTheSamePlaces)
+{
+    const TexelStore& stored = data().tiles[1];
+    const TexelStore large = tileOf(data(), TestContent::HardEdged, TestFaces::Large);
+    ASSERT_EQ(large.faceCount(), 2U);
+    const Level level = levelOf(TestFaces::Large);
+    const auto where = [](glm::dvec2 at) { // in thirds of a texel, which centroids lie on
+        return std::pair(std::lround(3 * 64 * at.x), std::lround(3 * 64 * at.y));
+    };
+    std::map<std::pair<long, long>, std::uint8_t> red;
+    for (std::uint32_t f = 0; f < kTileFaces; ++f) {
+        for (std::uint32_t t = 0; t < kTileLevel.texelCount(); ++t) {
+            const auto middle = centroid(kTileLevel, texelAt(kTileLevel, TexelIndex{t}));
+            red[where(inTile(faceId(f), middle))] =
+                std::to_integer<std::uint8_t>(stored.face(faceId(f)).texel(t)[0]);
+        }
+    }
+    EXPECT_EQ(red.size(), 2 * level.texelCount());
+    for (std::uint32_t f = 0; f < 2; ++f) {
+        ASSERT_EQ(large.face(faceId(f)).level(), level);
+        for (std::uint32_t t = 0; t < level.texelCount(); ++t) {
+            const auto middle = centroid(level, texelAt(level, TexelIndex{t}));
+            const auto found = red.find(where(inTile(faceId(f), middle, TestFaces::Large)));
+            ASSERT_NE(found, red.end());
+            ASSERT_EQ(std::to_integer<std::uint8_t>(large.face(faceId(f)).texel(t)[0]),
+                      found->second);
+        }
+    }
+}
+
+TEST(TestScene, largeFacesHaveTheSameExactValues)
+{
+    NoProgress progress;
+    const TestPatch patch(1, TestFaces::Large);
+    const auto scene =
+        buildTestScene(data(), TestContent::HardEdged, patch, Threads{2}, progress).value();
+    EXPECT_EQ(scene.stored, smallScene().stored);
+    EXPECT_EQ(scene.exact, smallScene().exact);
+    const auto exact = makeMethod({"exact", std::nullopt});
+    ResultArrays results(scene.queries.size(), 3);
+    filterParallel(*exact, scene.scene, scene.queries.queries(), results.results(), Threads{2});
+    double worst = 0;
+    for (std::size_t k = 0; k < results.values.size(); ++k) {
+        worst = std::max(worst, double(std::abs(results.values[k] - scene.exact[k])));
+    }
+    EXPECT_LE(worst, 1e-5);
 }
 
 TEST(TestScene, queriesThatReachBeyondThePatchAreLeftOut)
