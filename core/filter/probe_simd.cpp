@@ -17,13 +17,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace trixel::HWY_NAMESPACE {
 
-/// The probes of one query and what they read.
-struct QueryWork
+/// The probes of one line and what they read.
+struct LineWork
 {
     ProbeList list;
     Reads fine, coarse;
-    float coarseShare = 0; ///< of the coarser level
-    float weight = 0;      ///< of all probes
+    float weight = 0; ///< of all probes, that of the line aside
+};
+
+/// The lines of one query.
+struct QueryWork
+{
+    std::size_t first = 0, count = 0; ///< lines
+    float coarseShare = 0;            ///< of the coarser level
+    int fineLevel = 0;
 };
 
 /// Room for one block of queries and for those of them at work.
@@ -31,7 +38,8 @@ struct Workspace
 {
     PlanInputs inputs;
     ProbePlans plans;
-    QueryWork queries[kWalkedTogether];
+    ProbeLine lines[kWalkedTogether];
+    LineWork works[kWalkedTogether];
 };
 
 void gatherInputs(const FilterScene& scene,
@@ -60,41 +68,57 @@ void gatherInputs(const FilterScene& scene,
     }
 }
 
-/// Sums the probes of one query for one group of channels.
-HWY_INLINE void sumProbes(const FilterScene& scene, const QueryWork& work, int group, float* value)
+/// Where the probes of a line find a group of channels.
+HWY_INLINE const float*
+valuesOf(const FilterScene& scene, const ProbeList& list, std::size_t k, int group)
 {
-    const ProbeList& list = work.list;
-    const bool blended = work.coarseShare > 0;
-    const auto valuesOf = [&](std::size_t k) {
-        if (group == 0) {
-            return list.values[k];
-        }
-        const Level level = std::min(Level(list.fine), scene.level(list.face[k]));
-        return scene.pyramid().vertices(list.face[k], level, group).values;
-    };
-    const float* origin = valuesOf(0) + work.fine.pair[0];
-    ChannelSum fine(origin);
-    ChannelSum coarse(origin);
-    for (std::size_t k = 0; k < list.count; ++k) {
-        const float* values = valuesOf(k);
-        fine.add(values, work.fine, k);
-        if (blended) {
-            coarse.add(values, work.coarse, k);
-        }
+    if (group == 0) {
+        return list.values[k];
     }
-    fine.store(coarse, 1 / work.weight, value);
+    const Level level = std::min(Level(list.fine), scene.level(list.face[k]));
+    return scene.pyramid().vertices(list.face[k], level, group).values;
 }
 
-/// Finds out what a query reads, and asks the caches for it.
-HWY_INLINE void prepareQuery(const ProbePlans& plans, std::size_t k, QueryWork& work)
+/// Sums the probes of one query for one group of channels.
+HWY_INLINE void sumProbes(const FilterScene& scene,
+                          const QueryWork& query,
+                          const LineWork* works,
+                          const ProbeLine* lines,
+                          int group,
+                          float* value)
 {
-    work.coarseShare = static_cast<float>(plans.coarse[k]);
-    work.weight = findReads(work.list, plans.support[k], work.coarseShare, work.fine, work.coarse);
+    const bool blended = query.coarseShare > 0;
+    const float* origin = valuesOf(scene, works[0].list, 0, group) + works[0].fine.pair[0];
+    ChannelSum sum(origin);
+    float weight = 0;
+    for (std::size_t l = 0; l < query.count; ++l) {
+        const LineWork& work = works[l];
+        const ProbeList& list = work.list;
+        ChannelSum fine(origin);
+        ChannelSum coarse(origin);
+        for (std::size_t k = 0; k < list.count; ++k) {
+            const float* values = valuesOf(scene, list, k, group);
+            fine.add(values, work.fine, k);
+            if (blended) {
+                coarse.add(values, work.coarse, k);
+            }
+        }
+        const auto ofLine = static_cast<float>(lines[l].weight);
+        sum.addSums(fine, coarse, ofLine);
+        weight += ofLine * work.weight;
+    }
+    sum.store(1 / weight, value);
+}
+
+/// Finds out what a line reads, and asks the caches for it.
+HWY_INLINE void prepareLine(const ProbeLine& line, float coarseShare, LineWork& work)
+{
+    work.weight = findReads(work.list, line.support, coarseShare, work.fine, work.coarse);
     for (std::size_t p = 0; p < work.list.count; ++p) {
         const float* values = work.list.values[p];
         hwy::Prefetch(values + work.fine.pair[p]);
         hwy::Prefetch(values + work.fine.single[p]);
-        if (work.coarseShare > 0) {
+        if (coarseShare > 0) {
             hwy::Prefetch(values + work.coarse.pair[p]);
             hwy::Prefetch(values + work.coarse.single[p]);
         }
@@ -104,7 +128,8 @@ HWY_INLINE void prepareQuery(const ProbePlans& plans, std::size_t k, QueryWork& 
 void finishQuery(const FilterScene& scene,
                  const FilterQueries& queries,
                  std::size_t q,
-                 const QueryWork& work,
+                 const QueryWork& query,
+                 const Workspace& work,
                  const FilterResults& results)
 {
     const FaceId face = queries.face[q];
@@ -112,18 +137,64 @@ void finishQuery(const FilterScene& scene,
     for (int group = 0; group < scene.mips().groups(); ++group) {
         GroupValue value;
         if (hasCentre) {
-            sumProbes(scene, work, group, value.data());
+            sumProbes(scene,
+                      query,
+                      work.works + query.first,
+                      work.lines + query.first,
+                      group,
+                      value.data());
         } else {
             std::copy_n(scene.mips().average(face, group), kGroupChannels, value.begin());
         }
         storeAnswer(results, q, group, scene.channels(), value);
     }
-    const int level = std::min(work.list.fine, scene.level(face).log2());
-    const std::size_t taps = work.list.count * (work.coarseShare > 0 ? 6 : 3);
+    const int level = std::min(query.fineLevel, scene.level(face).log2());
+    std::size_t probes = 0;
+    for (std::size_t l = query.first; l < query.first + query.count; ++l) {
+        probes += work.works[l].list.count;
+    }
+    const std::size_t taps = probes * (query.coarseShare > 0 ? 6 : 3);
     storeCost(results,
               q,
               hasCentre ? QueryCost{static_cast<float>(level), static_cast<std::uint32_t>(taps)}
                         : QueryCost{0, 1});
+}
+
+/// Answers as many queries of a block as lines are walked together; returns how many.
+std::size_t filterSome(const FilterScene& scene,
+                       const FilterQueries& queries,
+                       std::size_t begin,
+                       std::size_t first,
+                       std::size_t end,
+                       const FilterResults& results,
+                       Workspace& work)
+{
+    QueryWork some[kWalkedTogether];
+    ProbeList* lists[kWalkedTogether];
+    std::size_t lines = 0;
+    std::size_t count = 0;
+    for (; first + count < end && lines + kMostLines <= kWalkedTogether; ++count) {
+        const std::size_t plan = first + count;
+        QueryWork& query = some[count];
+        query.first = lines;
+        query.count = linesOf(work.plans, plan, queries.face[begin + plan], work.lines + lines);
+        query.coarseShare = static_cast<float>(work.plans.coarse[plan]);
+        query.fineLevel = static_cast<int>(work.plans.fine[plan]);
+        for (std::size_t l = 0; l < query.count; ++l, ++lines) {
+            lists[lines] = &work.works[lines].list;
+            lists[lines]->fine = query.fineLevel;
+        }
+    }
+    placeProbes(scene, std::span(work.lines, lines), std::span(lists, lines));
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t l = some[k].first; l < some[k].first + some[k].count; ++l) {
+            prepareLine(work.lines[l], some[k].coarseShare, work.works[l]);
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        finishQuery(scene, queries, begin + first + k, some[k], work, results);
+    }
+    return count;
 }
 
 void filterBlock(const FilterScene& scene,
@@ -132,27 +203,12 @@ void filterBlock(const FilterScene& scene,
                  const FilterResults& results)
 {
     HWY_ALIGN static thread_local Workspace work;
-    ProbeList* lists[kWalkedTogether];
-    for (std::size_t k = 0; k < kWalkedTogether; ++k) {
-        lists[k] = &work.queries[k].list;
-    }
     for (std::size_t begin = 0; begin < queries.size(); begin += ProbePlans::kSize) {
         const std::size_t count = std::min(ProbePlans::kSize, queries.size() - begin);
         gatherInputs(scene, queries, begin, count, work.inputs);
         planAll(work.inputs, count, settings, work.plans);
-        for (std::size_t first = 0; first < count; first += kWalkedTogether) {
-            const std::size_t some = std::min(kWalkedTogether, count - first);
-            placeProbes(scene,
-                        queries.face.subspan(begin + first, some),
-                        work.plans,
-                        first,
-                        std::span(lists, some));
-            for (std::size_t k = 0; k < some; ++k) {
-                prepareQuery(work.plans, first + k, work.queries[k]);
-            }
-            for (std::size_t k = 0; k < some; ++k) {
-                finishQuery(scene, queries, begin + first + k, work.queries[k], results);
-            }
+        for (std::size_t done = 0; done < count;) {
+            done += filterSome(scene, queries, begin, done, count, results, work);
         }
     }
 }

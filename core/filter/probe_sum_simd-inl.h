@@ -180,13 +180,22 @@ public:
         }
     }
 
-    /// origin + (this + other) * scale, both of one origin
-    HWY_INLINE void store(const ChannelSum& other, float scale, float* value) const
+    /// Adds the sums of one line, of the same origin.
+    HWY_INLINE void addSums(const ChannelSum& fine, const ChannelSum& coarse, float weight)
     {
         const D4 d;
         for (std::size_t p = 0; p < kParts; ++p) {
-            const V4 sum = hn::Add(m_sum[p], other.m_sum[p]);
-            const V4 mean = hn::MulAdd(sum, hn::Set(d, scale), m_origin[p]);
+            const V4 sum = hn::Add(fine.m_sum[p], coarse.m_sum[p]);
+            m_sum[p] = hn::MulAdd(hn::Set(d, weight), sum, m_sum[p]);
+        }
+    }
+
+    /// origin + sum * scale
+    HWY_INLINE void store(float scale, float* value) const
+    {
+        const D4 d;
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const V4 mean = hn::MulAdd(m_sum[p], hn::Set(d, scale), m_origin[p]);
             hn::StoreU(mean, d, value + p * hn::Lanes(d));
         }
     }

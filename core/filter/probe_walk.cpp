@@ -158,8 +158,8 @@ private:
 
 namespace {
 
-/// Both ways of one query.
-struct ProbeLine
+/// Both ways of one line.
+struct LineWalk
 {
     FaceId face{};
     glm::dvec2 centre{0};
@@ -176,18 +176,12 @@ struct ProbeLine
 };
 
 /// Nothing to walk where all probes lie at the centre: then the list is done.
-bool begin(const FilterScene& scene,
-           FaceId face,
-           const ProbePlans& plans,
-           std::size_t index,
-           ProbeList& list,
-           ProbeLine& line)
+bool begin(const FilterScene& scene, const ProbeLine& from, ProbeList& list, LineWalk& line)
 {
-    const glm::dvec2 centre(plans.u[index], plans.v[index]);
-    const glm::dvec2 step(plans.stepU[index], plans.stepV[index]);
+    const glm::dvec2 centre = from.centre;
+    const glm::dvec2 step = from.step;
     list.count = 0;
-    list.fine = static_cast<int>(plans.fine[index]);
-    line.face = face;
+    line.face = from.face;
     line.centre = centre;
     line.list = &list;
     const double squared = step.x * step.x + step.y * step.y;
@@ -202,19 +196,19 @@ bool begin(const FilterScene& scene,
         return LinePoint{step.x * y - step.y * x, (step.x * x + step.y * y) * perSquared};
     };
     std::array<LinePoint, 3> corners = {at(0, 0), at(1, 0), at(0, 1)};
-    const int perSide = std::max(1, static_cast<int>(std::ceil(plans.support[index] - 0.5)));
+    const int perSide = from.perSide();
     line.reach = perSide;
-    line.fresh[0] = ProbeSide(face, centre, corners, perSide);
+    line.fresh[0] = ProbeSide(from.face, centre, corners, perSide);
     for (LinePoint& point : corners) {
         point = {-point.side, -point.along};
     }
-    line.fresh[1] = ProbeSide(face, centre, corners, perSide);
+    line.fresh[1] = ProbeSide(from.face, centre, corners, perSide);
     line.sides = line.fresh;
     return true;
 }
 
 /// A border decides where the last probe before it lies: walks again to where the surface ended.
-void placeWithinBorders(const FilterScene& scene, ProbeLine& line)
+void placeWithinBorders(const FilterScene& scene, LineWalk& line)
 {
     line.list->count = 0;
     for (std::size_t s = 0; s < 2; ++s) {
@@ -233,18 +227,16 @@ void placeWithinBorders(const FilterScene& scene, ProbeLine& line)
 } // namespace
 
 void placeProbes(const FilterScene& scene,
-                 std::span<const FaceId> faces,
-                 const ProbePlans& plans,
-                 std::size_t firstPlan,
+                 std::span<const ProbeLine> from,
                  std::span<ProbeList* const> lists)
 {
-    check(faces.size() <= kWalkedTogether && lists.size() == faces.size(), "a list a query");
-    std::array<ProbeLine, kWalkedTogether> lines;
+    check(from.size() <= kWalkedTogether && lists.size() == from.size(), "a list a line");
+    std::array<LineWalk, kWalkedTogether> lines;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-        count += begin(scene, faces[k], plans, firstPlan + k, *lists[k], lines[count]) ? 1 : 0;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        count += begin(scene, from[k], *lists[k], lines[count]) ? 1 : 0;
     }
-    std::array<std::pair<ProbeSide*, ProbeLine*>, 2 * kWalkedTogether> active;
+    std::array<std::pair<ProbeSide*, LineWalk*>, 2 * kWalkedTogether> active;
     std::size_t left = 0;
     for (std::size_t k = 0; k < count; ++k) {
         for (ProbeSide& side : lines[k].sides) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which faces the probes of a query fall on: a straight line over the mesh, both ways.
+// Which faces the probes of a line fall on: straight over the mesh, both ways.
 #pragma once
 
 #include "core/filter/filter_scene.h"
-#include "core/filter/probe_plan.h"
+#include "core/filter/probe_line.h"
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace trixel {
 
-/// The probes of one query, structure of arrays with room for whole registers.
+/// The probes of one line, structure of arrays with room for whole registers.
 struct ProbeList
 {
     /// Far more than kMostProbes; the odd size keeps the arrays in different sets of the cache.
@@ -53,18 +53,15 @@ struct ProbeList
 /// Faces that a line may run through to a side; beyond them is as beyond a border.
 inline constexpr int kMostSegments = 512;
 
-/// Queries whose lines are walked by turns, so that they do not wait for each other's memory.
-inline constexpr std::size_t kWalkedTogether = 4;
+/// Lines that are walked by turns, so that they do not wait for each other's memory.
+inline constexpr std::size_t kWalkedTogether = 6;
 
-/// Fills the lists with the probes of queries that have a centre. A probe stands for the step
-/// around it; where a border cuts that, it moves to the middle of what is left and counts for as
-/// much.
-/// \param faces      of the queries, at most kWalkedTogether
-/// \param firstPlan  of the first query
+/// Fills the lists with the probes of lines. A probe stands for the step around it; where a border
+/// cuts that, it moves to the middle of what is left and counts for as much.
+/// \param lines  at most kWalkedTogether
+/// \param lists  one a line, `fine` set
 void placeProbes(const FilterScene& scene,
-                 std::span<const FaceId> faces,
-                 const ProbePlans& plans,
-                 std::size_t firstPlan,
+                 std::span<const ProbeLine> lines,
                  std::span<ProbeList* const> lists);
 
 } // namespace trixel
