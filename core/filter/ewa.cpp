@@ -49,9 +49,9 @@ private:
                 unfolding.unfold(scene.surface(), face, ellipse, frame, cut, m_settings.mostTaps);
             EwaSum fine(reference);
             EwaSum coarse(reference);
-            if (!add(scene, places, frame, plan.fine, group, fine) ||
+            if (!add(scene, places, plan.fine, group, fine) ||
                 (isBlended(scene, places, plan) &&
-                 !add(scene, places, frame, plan.coarse, group, coarse)) ||
+                 !add(scene, places, plan.coarse, group, coarse)) ||
                 fine.taps() + coarse.taps() > m_settings.mostTaps) {
                 if (m_settings.atBase) {
                     return {0, kRefusedTaps};
@@ -98,13 +98,12 @@ private:
     /// False where it takes too many texels.
     bool add(const FilterScene& scene,
              std::span<const PlacedFace> places,
-             const EllipseFrame& frame,
              int level,
              int group,
              EwaSum& sum) const
     {
         for (const PlacedFace& place : places) {
-            sum.add(scene, place, frame, m_window, level, group);
+            sum.add(scene, place, m_window, level, group);
             if (sum.taps() > m_settings.mostTaps) {
                 return false;
             }

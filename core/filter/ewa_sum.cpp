@@ -81,7 +81,6 @@ const Centroids& centroidsOf(Level level)
 
 void EwaSum::add(const FilterScene& scene,
                  const PlacedFace& place,
-                 const EllipseFrame& frame,
                  const GaussianWindow& window,
                  int level,
                  int group)
@@ -89,10 +88,10 @@ void EwaSum::add(const FilterScene& scene,
     const Level base = scene.level(place.face);
     const Level read(std::min(level, base.log2()));
     const LevelTexels texels = scene.mips().texels(place.face, read, group);
-    const glm::dvec2 side1 = frame.toUnit(place.e1);
-    const glm::dvec2 side2 = frame.toUnit(place.e2);
+    const glm::dvec2 side1 = place.e1();
+    const glm::dvec2 side2 = place.e2();
     const Narrowing narrow = narrowingOf(side1, side2, window, base, read);
-    const glm::dvec2 origin = narrow(frame.toUnit(place.origin));
+    const glm::dvec2 origin = narrow(place.origin());
     const glm::dvec2 e1 = narrow(side1);
     const glm::dvec2 e2 = narrow(side2);
     WindowSums sums;

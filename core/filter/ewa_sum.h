@@ -4,11 +4,11 @@
 #pragma once
 
 #include "core/filter/gaussian_window.h"
+#include "core/filter/placed_face.h"
 #include "core/filter/query_filter.h"
-#include "core/filter/unfolding.h"
 
+#include <array>
 #include <cstdint>
-#include <span>
 
 namespace trixel {
 
@@ -27,10 +27,8 @@ public:
     /// the ellipse is lessened by that of a texel's box beyond a base texel's, so that box and
     /// Gaussian together spread as far as the Gaussian alone over the base level; by half at most.
     /// Weights are times texel area and of equal mass whatever was subtracted.
-    /// \param frame  of the ellipse
     void add(const FilterScene& scene,
              const PlacedFace& place,
-             const EllipseFrame& frame,
              const GaussianWindow& window,
              int level,
              int group);

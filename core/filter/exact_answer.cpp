@@ -11,7 +11,6 @@ constexpr double kCut = 6.0;
 /// Adds the texels of a face within `cut` standard deviations.
 void addFace(const FilterScene& scene,
              const PlacedFace& place,
-             const EllipseFrame& frame,
              int group,
              double cut,
              double offset,
@@ -21,11 +20,7 @@ void addFace(const FilterScene& scene,
     const LevelTexels texels = scene.mips().texels(place.face, level, group);
     const double area = place.doubleArea() / level.texelCount();
     for (const TexelHalf half : {TexelHalf::Lower, TexelHalf::Upper}) {
-        const HalfLattice lattice(half,
-                                  level,
-                                  frame.toUnit(place.origin),
-                                  frame.toUnit(place.e1),
-                                  frame.toUnit(place.e2));
+        const HalfLattice lattice(half, level, place.origin(), place.e1(), place.e2());
         addExactly(texels, lattice, cut, offset, area, sums);
     }
 }
@@ -42,11 +37,11 @@ bool addFaces(const FilterScene& scene,
               ExactSums& sums)
 {
     const auto places = unfolding.unfold(scene.surface(), face, ellipse, frame, cut);
-    if (texelsOfWholeFaces(scene, places, frame, cut) > kMostExactTaps) {
+    if (texelsOfWholeFaces(scene, places, cut) > kMostExactTaps) {
         return false;
     }
     for (const PlacedFace& place : places) {
-        addFace(scene, place, frame, group, cut, offset, sums);
+        addFace(scene, place, group, cut, offset, sums);
         if (sums.taps > kMostExactTaps) {
             return false;
         }
@@ -56,16 +51,13 @@ bool addFaces(const FilterScene& scene,
 
 } // namespace
 
-std::uint64_t texelsOfWholeFaces(const FilterScene& scene,
-                                 std::span<const PlacedFace> places,
-                                 const EllipseFrame& frame,
-                                 double cut)
+std::uint64_t
+texelsOfWholeFaces(const FilterScene& scene, std::span<const PlacedFace> places, double cut)
 {
     std::uint64_t texels = 0;
     for (const PlacedFace& place : places) {
         bool whole = true;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const glm::dvec2 p = frame.toUnit(place.corner(k));
+        for (const glm::dvec2 p : place.corners) {
             whole = whole && glm::dot(p, p) <= cut * cut;
         }
         texels += whole ? scene.level(place.face).texelCount() : 0;

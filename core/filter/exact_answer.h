@@ -10,10 +10,8 @@ namespace trixel {
 inline constexpr std::uint64_t kMostExactTaps = std::uint64_t{1} << 26U;
 
 /// Base-level texels of the faces that lie whole within the cut: a query reads at least so many.
-std::uint64_t texelsOfWholeFaces(const FilterScene& scene,
-                                 std::span<const PlacedFace> places,
-                                 const EllipseFrame& frame,
-                                 double cut);
+std::uint64_t
+texelsOfWholeFaces(const FilterScene& scene, std::span<const PlacedFace> places, double cut);
 
 /// The Gaussian-weighted mean over the texel centroids of the base level within six standard
 /// deviations, weights times texel area, in double. Where none is so near, the nearest count as in

@@ -26,73 +26,26 @@
 // all of its faces, and as the point moves around the vertex the cut behind it jumps.
 #pragma once
 
+#include "core/filter/face_table.h"
 #include "core/filter/filter_surface.h"
+#include "core/filter/flat_walk.h"
+#include "core/filter/placed_face.h"
 #include "core/filter/query_ellipse.h"
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <span>
 #include <vector>
 
 namespace trixel {
 
-/// The ellipse of a query as the unit circle: offsets from the centre, in standard deviations along
-/// its major and minor axis.
-class EllipseFrame
-{
-public:
-    explicit EllipseFrame(const QueryEllipse& ellipse)
-        : EllipseFrame(ellipse.majorAxis, ellipse.majorSigma, ellipse.minorSigma)
-    {
-    }
-    /// \param majorAxis  of unit length
-    /// \param majorSigma, minorSigma  positive
-    EllipseFrame(glm::dvec2 majorAxis, double majorSigma, double minorSigma)
-        : m_major(majorAxis / majorSigma)
-        , m_minor(glm::dvec2(-majorAxis.y, majorAxis.x) / minorSigma)
-    {
-    }
-
-    /// Length 1 is one standard deviation. Turns left where the plane does.
-    glm::dvec2 toUnit(glm::dvec2 offset) const
-    {
-        return {glm::dot(m_major, offset), glm::dot(m_minor, offset)};
-    }
-
-private:
-    glm::dvec2 m_major, m_minor;
-};
-
-/// A face laid into the plane of the hit face, the query's centre at the origin: (u,v) lies at
-/// origin + u e1 + v e2.
-struct PlacedFace
-{
-    FaceId face{};
-    glm::dvec2 origin{0};
-    glm::dvec2 e1{0};
-    glm::dvec2 e2{0};
-    double distance = 0; ///< from the origin to its nearest point, in standard deviations
-    double way = 0;      ///< d of the rule above
-
-    glm::dvec2 corner(std::size_t index) const
-    {
-        return index == 0 ? origin : origin + (index == 1 ? e1 : e2);
-    }
-    /// Twice the area.
-    double doubleArea() const { return e1.x * e2.y - e1.y * e2.x; }
-};
-
 /// Lays faces and keeps its memory from one query to the next. One per thread.
 class Unfolding
 {
 public:
-    Unfolding();
-
-    /// The faces under the ellipse of `cut` standard deviations, the hit face first, then by the
-    /// rule above. Valid until the next call.
+    /// The faces under the ellipse of `cut` standard deviations, the hit face first; by the rule
+    /// above, but in any order where every order lays them in the same places. Valid until the next
+    /// call.
     /// \param mostFaces  at most so many, the nearest; at least 1
     std::span<const PlacedFace> unfold(const FilterSurface& surface,
                                        FaceId face,
@@ -102,41 +55,39 @@ public:
                                        std::size_t mostFaces = SIZE_MAX);
 
 private:
-    /// A face that waits to be laid.
+    /// A face that was reached and has still to be laid, or was.
+    struct Reached
+    {
+        PlacedFace place; ///< where it is to be laid
+        double key = 0;
+        double way = 0;      ///< d of the rule
+        double distance = 0; ///< from the origin to its nearest point
+        FaceId parent{};     ///< across whose edge
+        bool laid = false;
+    };
     struct Waiting
     {
         double key = 0;
         FaceId face{};
-    };
-    /// A face that was reached by this query: its stamp is the query's.
-    struct Slot
-    {
-        std::uint32_t stamp = 0;
-        FaceId face{};
-        bool laid = false;
-        std::uint32_t offer = 0; ///< the place in m_offers where it is to be laid
-        FaceId parent{};         ///< across whose edge
-        double key = 0;
+        std::uint32_t number = 0; ///< in m_reached
     };
     static bool isLater(const Waiting& a, const Waiting& b);
 
-    void lay(const PlacedFace& place);
+    void layByRule(const FilterSurface& surface,
+                   const PlacedFace& hit,
+                   const EllipseFrame& frame,
+                   double cut,
+                   std::size_t mostFaces);
     void offerNeighbours(const FilterSurface& surface,
-                         const PlacedFace& place,
+                         std::uint32_t number,
                          const EllipseFrame& frame,
                          double cut);
-    void offer(const PlacedFace& place, FaceId parent, double key);
+    void offer(std::uint32_t known, const Reached& offered);
 
-    Slot& slotOf(FaceId face);
-    Slot& reach(FaceId face);
-    bool isLaid(FaceId face);
-    void growTable();
-
-    std::vector<Slot> m_slots; ///< a hash table whose size follows the footprint, not the mesh
-    std::uint32_t m_stamp = 0;
-    std::size_t m_reached = 0;
+    FlatWalk m_walk;
     std::vector<PlacedFace> m_laid;
-    std::vector<PlacedFace> m_offers;
+    FaceTable m_numbers; ///< of faces in m_reached
+    std::vector<Reached> m_reached;
     std::vector<Waiting> m_waiting; ///< a heap
 };
 

@@ -76,7 +76,7 @@ TEST(Unfolding, laysAFlatMeshAsItIs)
             if (found != laid.end()) {
                 const glm::dvec2 d = glm::dvec2(own[0]) - centre;
                 const glm::dvec2 expected(turn.x * d.x + turn.y * d.y, turn.x * d.y - turn.y * d.x);
-                EXPECT_LE(glm::length(found->second.origin - expected), 1e-6);
+                EXPECT_LE(glm::length(frame.toPlane(found->second.origin()) - expected), 1e-6);
             }
         }
     }
@@ -84,6 +84,7 @@ TEST(Unfolding, laysAFlatMeshAsItIs)
 
 TEST(Unfolding, laysTheSameFacesInTheSamePlacesForEveryCut)
 {
+    std::size_t byRule = 0;
     for (unsigned seed = 1; seed <= 3; ++seed) {
         const TriangleMesh mesh = irregularSphere(2, seed);
         const FilterScene scene = coarseScene(mesh);
@@ -94,20 +95,30 @@ TEST(Unfolding, laysTheSameFacesInTheSamePlacesForEveryCut)
             const FaceId hit = faceId(random() % mesh.faceCount());
             const QueryEllipse ellipse = ellipseAt(scene, hit, random);
             const EllipseFrame frame(ellipse);
-            std::map<FaceId, glm::dvec2> expected;
-            for (const PlacedFace& place : wide.unfold(scene.surface(), hit, ellipse, frame, 6)) {
-                if (place.way <= 3) {
-                    expected[place.face] = place.origin;
+            const auto first = narrow.unfold(scene.surface(), hit, ellipse, frame, 3);
+            const auto all = wide.unfold(scene.surface(), hit, ellipse, frame, 6);
+            ASSERT_LE(first.size(), all.size());
+            std::map<FaceId, std::size_t> numbers;
+            for (std::size_t n = 0; n < all.size(); ++n) {
+                numbers[all[n].face] = n;
+            }
+            std::size_t last = 0;
+            for (const PlacedFace& place : first) {
+                ASSERT_TRUE(numbers.contains(place.face));
+                const std::size_t n = numbers.at(place.face);
+                last = std::max(last, n);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    EXPECT_LE(glm::length(place.corners[c] - all[n].corners[c]), 1e-9);
                 }
             }
-            const auto places = narrow.unfold(scene.surface(), hit, ellipse, frame, 3);
-            EXPECT_EQ(places.size(), expected.size());
-            for (const PlacedFace& place : places) {
-                ASSERT_TRUE(expected.contains(place.face));
-                EXPECT_EQ(expected.at(place.face), place.origin);
+            // Around so many faces of this mesh the rule has to choose.
+            if (all.size() > 12) {
+                EXPECT_EQ(last, first.size() - 1) << "the same ones first";
+                ++byRule;
             }
         }
     }
+    EXPECT_GT(byRule, 300U);
 }
 
 TEST(Unfolding, laysTheSameFromBothSidesOfAnEdgeThatIsAMirror)
@@ -136,12 +147,12 @@ TEST(Unfolding, laysTheSameFromBothSidesOfAnEdgeThatIsAMirror)
             std::map<FaceId, double> expected;
             for (const PlacedFace& place :
                  here.unfold(surface, faceId(f), own, EllipseFrame(own), 4)) {
-                expected[place.face] = glm::dot(place.origin, place.e1);
+                expected[place.face] = glm::dot(place.origin(), place.e1());
             }
             for (const PlacedFace& place :
                  there.unfold(surface, crossing.face, other, EllipseFrame(other), 4)) {
                 if (expected.contains(place.face)) { // others touch the cut and no more
-                    EXPECT_NEAR(expected.at(place.face), glm::dot(place.origin, place.e1), 1e-5)
+                    EXPECT_NEAR(expected.at(place.face), glm::dot(place.origin(), place.e1()), 1e-5)
                         << "hit " << f << " place " << k;
                     ++compared;
                 }

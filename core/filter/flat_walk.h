@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The faces under an ellipse where it does not matter in which order they are laid.
+#pragma once
+
+#include "core/filter/face_table.h"
+#include "core/filter/filter_surface.h"
+#include "core/filter/placed_face.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace trixel {
+
+/// Lays faces across every edge that a circle touches, nearer ones first by and large, and sees to
+/// it that all edges fit: then every way to a face lays it in the same place, and no rule has to
+/// choose between them. So it is on flat parts of a surface, and wherever no vertex lies under the
+/// circle. Keeps its memory from one query to the next.
+class FlatWalk
+{
+public:
+    /// \param hit   the first face
+    /// \param laid  all faces under the circle of radius `cut` about the origin, `hit` first
+    /// \return false where the order matters (an edge fits in one place and not in another), where
+    ///         faces are so narrow that the places would not be exact, and beyond `mostFaces`;
+    ///         `laid` then is of no use
+    bool lay(const FilterSurface& surface,
+             const PlacedFace& hit,
+             double cut,
+             std::size_t mostFaces,
+             std::vector<PlacedFace>& laid);
+
+private:
+    void add(const PlacedFace& place, unsigned edgesToCross, std::vector<PlacedFace>& laid);
+
+    FaceTable m_numbers;               ///< of faces in `laid`
+    std::vector<std::uint8_t> m_edges; ///< of each, bit k: edge k has still to be looked at
+};
+
+/// Whether the segment from a to b comes within the square root of `squared` of the origin.
+inline bool comesWithin(glm::dvec2 a, glm::dvec2 b, double squared)
+{
+    if (glm::dot(a, a) <= squared || glm::dot(b, b) <= squared) {
+        return true;
+    }
+    const glm::dvec2 along = b - a;
+    const double length2 = glm::dot(along, along);
+    const double foot = -glm::dot(a, along);
+    const double height = a.x * along.y - a.y * along.x;
+    return foot > 0 && foot < length2 && height * height <= squared * length2;
+}
+
+} // namespace trixel
