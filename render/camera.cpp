@@ -12,8 +12,10 @@ namespace trixel::render {
 
 namespace {
 
-constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180; // of the shorter side
-constexpr double kPitchLimit = std::numbers::pi / 2 - 1e-4;
+constexpr double kSteepest = std::numbers::pi / 2;
+constexpr double kSteepestOrbit = kSteepest - 1e-4; // short of the pole, where yaw means roll
+constexpr double kNarrowest = 1e-4;
+constexpr double kWidest = std::numbers::pi - 1e-2;
 constexpr double kFrameMargin = 0.9; // part of the picture that a framed box fills
 /// Distances allowed, in radii of the scene.
 constexpr double kNearest = 1e-5;
@@ -23,7 +25,8 @@ bool isFinite(const CameraPose& pose)
 {
     return std::isfinite(pose.target.x) && std::isfinite(pose.target.y) &&
            std::isfinite(pose.target.z) && std::isfinite(pose.distance) &&
-           std::isfinite(pose.yaw) && std::isfinite(pose.pitch);
+           std::isfinite(pose.yaw) && std::isfinite(pose.pitch) && std::isfinite(pose.roll) &&
+           std::isfinite(pose.fieldOfView);
 }
 
 } // namespace
@@ -49,8 +52,10 @@ void Camera::setPose(const CameraPose& pose)
     m_pose = pose;
     m_pose.distance =
         std::clamp(pose.distance, kNearest * m_sceneRadius, kFarthest * m_sceneRadius);
-    m_pose.pitch = std::clamp(pose.pitch, -kPitchLimit, kPitchLimit);
+    m_pose.pitch = std::clamp(pose.pitch, -kSteepest, kSteepest);
     m_pose.yaw = std::remainder(pose.yaw, 2 * std::numbers::pi);
+    m_pose.roll = std::remainder(pose.roll, 2 * std::numbers::pi);
+    m_pose.fieldOfView = std::clamp(pose.fieldOfView, kNarrowest, kWidest);
 }
 
 glm::dvec3 Camera::forward() const
@@ -61,7 +66,9 @@ glm::dvec3 Camera::forward() const
 
 glm::dvec3 Camera::right() const
 {
-    return {std::cos(m_pose.yaw), 0, -std::sin(m_pose.yaw)};
+    const glm::dvec3 level(std::cos(m_pose.yaw), 0, -std::sin(m_pose.yaw));
+    const glm::dvec3 upright = glm::cross(level, forward());
+    return std::cos(m_pose.roll) * level - std::sin(m_pose.roll) * upright;
 }
 
 glm::dvec3 Camera::up() const
@@ -76,7 +83,7 @@ glm::dvec3 Camera::eye() const
 
 double Camera::pixelsPerUnit() const
 {
-    return std::min(m_viewport.x, m_viewport.y) / (2 * std::tan(kFieldOfView / 2));
+    return std::min(m_viewport.x, m_viewport.y) / (2 * std::tan(m_pose.fieldOfView / 2));
 }
 
 glm::mat4 Camera::view() const
@@ -90,7 +97,9 @@ glm::mat4 Camera::projection() const
     const double toCentre = glm::dot(m_sceneCentre - eye(), forward());
     const double reach = 1.01 * m_sceneRadius;
     const double far = std::max(toCentre + reach, m_pose.distance * 1.01);
-    const double near = std::max(toCentre - reach, 0.01 * std::min(m_pose.distance, far));
+    // A target beyond the scene, as a given view may have, is no reason to cut what is close.
+    const double closest = 0.01 * std::min({m_pose.distance, far, reach});
+    const double near = std::max(toCentre - reach, closest);
     const double x = m_viewport.x / (2 * pixelsPerUnit()) * near;
     const double y = m_viewport.y / (2 * pixelsPerUnit()) * near;
     return glm::mat4(glm::frustum(-x, x, -y, y, near, far));
@@ -130,8 +139,11 @@ void Camera::orbit(glm::dvec2 pixels)
     // A drag over the shorter side is half a turn.
     const double perPixel = std::numbers::pi / std::min(m_viewport.x, m_viewport.y);
     CameraPose pose = m_pose;
-    pose.yaw -= pixels.x * perPixel;
-    pose.pitch += pixels.y * perPixel;
+    const double c = std::cos(pose.roll);
+    const double s = std::sin(pose.roll);
+    const glm::dvec2 level(c * pixels.x - s * pixels.y, s * pixels.x + c * pixels.y);
+    pose.yaw -= level.x * perPixel;
+    pose.pitch = std::clamp(pose.pitch + level.y * perPixel, -kSteepestOrbit, kSteepestOrbit);
     setPose(pose);
 }
 
@@ -164,6 +176,10 @@ void Camera::zoomTowards(double factor, glm::dvec2 position)
 
 void Camera::frame(glm::vec3 low, glm::vec3 high)
 {
+    CameraPose pose = m_pose;
+    pose.roll = 0;
+    pose.fieldOfView = kFieldOfView;
+    setPose(pose);
     const glm::dvec3 half = (glm::dvec3(high) - glm::dvec3(low)) / 2.0;
     const glm::dvec2 reach = kFrameMargin * glm::dvec2(m_viewport) / (2 * pixelsPerUnit());
     double distance = 0;
@@ -176,7 +192,6 @@ void Camera::frame(glm::vec3 low, glm::vec3 high)
                              std::abs(glm::dot(corner, right())) / reach.x - depth,
                              std::abs(glm::dot(corner, up())) / reach.y - depth});
     }
-    CameraPose pose = m_pose;
     pose.target = (glm::dvec3(low) + glm::dvec3(high)) / 2.0;
     pose.distance = distance > 0 ? distance : 0.1 * m_sceneRadius;
     setPose(pose);

@@ -6,17 +6,23 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 #include <optional>
 
 namespace trixel::render {
+
+/// The field of view of a camera that was not given another, radians.
+inline constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180;
 
 /// Where an orbit camera stands: it looks at `target` from `distance`; angles in radians, y is up.
 struct CameraPose
 {
     glm::dvec3 target{0};
-    double distance = 3; ///< > 0
-    double yaw = 0;      ///< about y; 0 looks along -z
-    double pitch = 0;    ///< > 0 looks down; within ±90°
+    double distance = 3;               ///< > 0
+    double yaw = 0;                    ///< about y; 0 looks along -z
+    double pitch = 0;                  ///< > 0 looks down; within ±90°
+    double roll = 0;                   ///< > 0 leans the camera to the right
+    double fieldOfView = kFieldOfView; ///< over the shorter side of the picture
 
     bool operator==(const CameraPose&) const = default;
 };
@@ -58,7 +64,8 @@ public:
     void zoom(double factor);
     /// The same, keeping what is seen at a position in place.
     void zoomTowards(double factor, glm::dvec2 position);
-    /// Shows a box whole, from the direction looked from now. A point gets a sensible distance.
+    /// Shows a box whole, from the direction looked from now, upright and with the usual field of
+    /// view. A point gets a sensible distance.
     void frame(glm::vec3 low, glm::vec3 high);
 
 private:

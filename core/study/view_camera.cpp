@@ -18,9 +18,10 @@ double pixelLength(double fovY, int height)
     return 2 * std::tan(fovY * std::numbers::pi / 360) / height;
 }
 
-bool isFinite(const glm::dvec3& v)
+bool isUsable(const glm::dvec3& v)
 {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    const auto usable = [](double x) { return std::abs(x) <= kLargestCoordinate; };
+    return usable(v.x) && usable(v.y) && usable(v.z);
 }
 
 struct Frame
@@ -122,8 +123,9 @@ double SceneViews::finestSpacing(glm::dvec3 point, double margin) const
 Status validate(const ViewCamera& camera)
 {
     const std::string place = "camera '" + camera.name + "'";
-    if (!isFinite(camera.position) || !isFinite(camera.target) || !isFinite(camera.up)) {
-        return contentsError(place + ": position, target and up: expected finite numbers");
+    if (!isUsable(camera.position) || !isUsable(camera.target) || !isUsable(camera.up)) {
+        return contentsError(place +
+                             ": position, target and up: expected finite numbers, none above 1e18");
     }
     const glm::dvec3 view = camera.target - camera.position;
     if (!(glm::length(view) > 0) || !std::isfinite(glm::length(view))) {

@@ -18,6 +18,8 @@ namespace trixel {
 
 /// Most pixels along a side of a picture.
 inline constexpr int kMostPixels = 32768;
+/// Largest coordinate of a camera: squares of it are far from overflow.
+inline constexpr double kLargestCoordinate = 1e18;
 
 /// A pinhole view with square pixels. Positions in the picture are in pixels from its top left
 /// corner, y downwards: (0.5, 0.5) is the centre of the first.
@@ -79,8 +81,9 @@ struct SceneViews
     double finestSpacing(glm::dvec3 point, double margin = 0) const;
 };
 
-/// Fails with a sentence, "camera 'hero': …", unless all numbers are finite, the position is not
-/// the target, `up` is not along the view, 0 < fovY < 180 and both sides are in [1, kMostPixels].
+/// Fails with a sentence, "camera 'hero': …", unless all numbers are finite, no coordinate is
+/// larger than `kLargestCoordinate`, the position is not the target, `up` is not along the view, 0
+/// < fovY < 180 and both sides are in [1, kMostPixels].
 Status validate(const ViewCamera& camera);
 Status validate(const DistantViews& views);
 

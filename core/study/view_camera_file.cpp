@@ -8,8 +8,6 @@
 namespace trixel {
 namespace {
 
-constexpr double kLargest = 1e18; // squares of it are far from overflow
-
 /// Leaves `vector` alone if the field is absent.
 Status vectorOf(const JsonFields& fields, const char* name, glm::dvec3& vector)
 {
@@ -19,7 +17,7 @@ Status vectorOf(const JsonFields& fields, const char* name, glm::dvec3& vector)
     }
     const bool usable =
         field->is_array() && field->size() == 3 && std::ranges::all_of(*field, [](const Json& v) {
-            return v.is_number() && std::abs(v.get<double>()) <= kLargest;
+            return v.is_number() && std::abs(v.get<double>()) <= kLargestCoordinate;
         });
     if (!usable) {
         return fields.error(name, "an array of 3 finite numbers", *field);

@@ -180,3 +180,53 @@ TEST(Camera, impossiblePosesAreBroughtIntoRangeOrIgnored)
     EXPECT_TRUE(std::isfinite(camera.projection()[0][0]));
     EXPECT_TRUE(std::isfinite(camera.pixelRay({0, 0}).direction.x));
 }
+
+TEST(Camera, leaningTurnsThePictureAboutItsMiddle)
+{
+    const Camera upright = someCamera();
+    Camera leaning = upright;
+    CameraPose pose = upright.pose();
+    pose.roll = 0.5;
+    leaning.setPose(pose);
+    EXPECT_EQ(leaning.eye(), upright.eye());
+    EXPECT_EQ(leaning.forward(), upright.forward());
+    const glm::dvec3 point(0.5, -0.3, 0.8);
+    const glm::dvec2 before = *upright.project(point) - glm::dvec2(800, 450);
+    // The camera leans to the right: what it sees turns to the left.
+    const glm::dvec2 turned(std::cos(0.5) * before.x + std::sin(0.5) * before.y,
+                            std::cos(0.5) * before.y - std::sin(0.5) * before.x);
+    expectNear(*leaning.project(point), glm::dvec2(800, 450) + turned, 1e-9);
+    expectNear(*leaning.project(point), onScreen(leaning, point), 1e-2);
+}
+
+TEST(Camera, orbitFollowsThePointerWhateverTheRoll)
+{
+    for (const double roll : {0.0, 0.8, 2.5, -1.6}) {
+        Camera camera = someCamera();
+        camera.setPose({{0, 0, 0}, 4, 0.3, 0.0, roll});
+        const glm::dvec3 front = -camera.forward(); // nearest to the camera
+        const glm::dvec2 before = *camera.project(front);
+        camera.orbit({3, 2});
+        const glm::dvec2 moved = *camera.project(front) - before;
+        EXPECT_NEAR(moved.y / moved.x, 2.0 / 3, 1e-3) << roll;
+        EXPECT_GT(moved.x, 0) << roll;
+    }
+}
+
+TEST(Camera, framingIsUprightWithTheUsualFieldOfView)
+{
+    Camera camera = someCamera();
+    camera.setPose({{0, 0, 0}, 4, 0.3, 0.1, 1.0, 0.1});
+    camera.frame({-1, -1, -1}, {1, 1, 1});
+    EXPECT_EQ(camera.pose().roll, 0);
+    EXPECT_EQ(camera.pose().fieldOfView, kFieldOfView);
+    EXPECT_EQ(camera.pose().yaw, 0.3);
+}
+
+TEST(Camera, aTargetBeyondTheSceneCutsNothingClose)
+{
+    Camera camera = someCamera();
+    camera.setPose({{0, 0, -100}, 100, 0, 0}); // the eye is in the middle of the scene
+    const glm::vec4 clip = camera.projection() * camera.view() * glm::vec4(0, 0, -0.1F, 1);
+    EXPECT_GE(clip.z, -clip.w);
+}

@@ -6,6 +6,7 @@
 #include <QTabletEvent>
 #include <QWheelEvent>
 
+#include "render/camera_view.h"
 #include "ui/viewport/viewport_private.h"
 
 #include <algorithm>
@@ -153,6 +154,20 @@ void Viewport::setCamera(const render::CameraPose& pose)
 {
     d->camera.setPose(pose);
     d->cameraMoved();
+}
+
+ViewCamera Viewport::view() const
+{
+    return render::viewOf(d->camera);
+}
+
+void Viewport::lookThrough(const ViewCamera& view)
+{
+    if (validate(view)) {
+        d->fitCamera();
+        render::lookThrough(d->camera, view);
+        d->cameraMoved();
+    }
 }
 
 void Viewport::lookFrom(double yaw, double pitch, double closeness)

@@ -16,6 +16,10 @@
 #include <optional>
 #include <span>
 
+namespace trixel {
+struct ViewCamera;
+}
+
 namespace trixel::ui {
 
 class Document;
@@ -70,6 +74,11 @@ public:
 
     const render::Camera& camera() const;
     void setCamera(const render::CameraPose& pose);
+    /// What is seen now, as a view without a name: its picture in device pixels.
+    ViewCamera view() const;
+    /// Goes to a view at once; orbiting then turns about its target. In a picture of the view's
+    /// size exactly that view is seen, in others all of it. A view that is not valid is ignored.
+    void lookThrough(const ViewCamera& view);
     /// Frames the whole surface as seen from a direction.
     /// \param yaw, pitch  degrees; 0, 0 looks along -z, a positive pitch from above
     /// \param closeness   1 frames all; 2 is twice as near

@@ -130,6 +130,16 @@ TEST(CamerasFile, readsBackWhatItWrites)
     EXPECT_EQ(*back, views);
 }
 
+TEST(CamerasFile, whatIsValidCanBeReadBack)
+{
+    ViewCamera far = tilted();
+    far.position.x = kLargestCoordinate;
+    ASSERT_TRUE(validate(far));
+    EXPECT_EQ(parseCameras(writeCameras({{far}, {}})).value().cameras.front(), far);
+    far.position.x = std::nextafter(kLargestCoordinate, 1e300);
+    EXPECT_THAT(validate(far).error().message, HasSubstr("position, target and up"));
+}
+
 TEST(CamerasFile, whatIsLeftOutHasItsDefault)
 {
     const auto views = parseCameras(
