@@ -162,7 +162,9 @@ Status exportPtx(const std::filesystem::path& path,
                  const PtxWriteOptions& options,
                  Progress& progress)
 {
-    return writePtx(path, contentsOf(project), options, progress);
+    PtxContents contents = contentsOf(project);
+    removeMetadata(contents.metadata, kViewsKey); // of the project, not of its texture
+    return writePtx(path, contents, options, progress);
 }
 
 } // namespace trixel

@@ -35,7 +35,7 @@ Result<Project> openPtx(const std::filesystem::path& path, Progress& progress);
 Result<Project>
 openPtxOnMesh(const std::filesystem::path& path, TriangleMesh mesh, Progress& progress);
 
-/// Writes the project's texels as .ptx with its mesh in the metadata.
+/// Writes the project's texels as .ptx with its mesh in the metadata. Bookmarked views stay behind.
 Status exportPtx(const std::filesystem::path& path,
                  const Project& project,
                  const PtxWriteOptions& options,

@@ -18,6 +18,8 @@ inline constexpr const char* kVertexIndicesKey = "PtexFaceVertIndices";
 inline constexpr const char* kVertexPositionsKey = "PtexVertPositions";
 inline constexpr const char* kProjectVersionKey = "TrixelProject";
 inline constexpr const char* kSourceFacesKey = "TrixelSourceFaces";
+/// The text of a cameras file: the project's bookmarked views.
+inline constexpr const char* kViewsKey = "TrixelViews";
 
 /// The newest version of project that can be opened, and the one that is written.
 inline constexpr int kProjectVersion = 1;

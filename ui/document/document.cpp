@@ -4,7 +4,10 @@
 #include <QFileInfo>
 
 #include "core/io/new_project.h"
+#include "core/study/project_views.h"
 #include "ui/document/swap_patch.h"
+#include "ui/document/swap_views.h"
+#include "ui/document/view_bookmarks.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +54,7 @@ Change changeOf(const TexelPatch& patch, const TexelStore& texels)
 
 Document::Document(QObject* parent)
     : QObject(parent)
+    , m_bookmarks(new ViewBookmarks(*this))
 {
     connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
 }
@@ -68,12 +72,19 @@ void Document::open(Project project, const QString& path, const QString& title)
     m_fill = fillOf(m_project);
     m_path = path;
     m_title = title;
-    m_openedState = StateId{++m_lastState};
+    ++m_lastState;
+    m_openedState = {m_lastState, m_lastState};
     m_savedState = m_openedState;
     m_undo.clear();
+    const Result<SceneViews> views = viewsOf(m_project);
+    m_bookmarks->take(views.value_or(SceneViews()));
     emit opened();
     emit titleChanged();
     announceModified();
+    if (!views) {
+        emit notice(tr("The bookmarked views of %1 cannot be read and are left out: %2.")
+                        .arg(this->title(), QString::fromStdString(views.error().message)));
+    }
 }
 
 QString Document::title() const
@@ -84,8 +95,8 @@ QString Document::title() const
 StateId Document::state() const
 {
     const QUndoCommand* last = m_undo.command(m_undo.index() - 1);
-    const auto* swap = dynamic_cast<const SwapPatch*>(last);
-    return swap != nullptr ? swap->state() : m_openedState;
+    const auto* step = dynamic_cast<const DocumentStep*>(last);
+    return step != nullptr ? step->state() : m_openedState;
 }
 
 void Document::markSaved(const QString& path, StateId saved)
@@ -179,7 +190,7 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
 bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text)
 {
     endStroke();
-    if (!isOpen() || state() != madeFor) {
+    if (!isOpen() || state().texels != madeFor.texels) {
         emit notice(tr("%1: the texture has changed meanwhile, nothing was done.").arg(text));
         return false;
     }
@@ -193,7 +204,7 @@ bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text
 void Document::push(TexelPatch applied, const QString& text)
 {
     if (!applied.isEmpty()) {
-        const StateId next{++m_lastState};
+        const StateId next{++m_lastState, state().views};
         m_undo.push(new SwapPatch(*this, std::move(applied), next, text)); // the stack owns it
     }
 }
@@ -203,6 +214,21 @@ void Document::swapPatch(TexelPatch& patch)
     // A patch fits the state it was made on, which a stroke in progress has left.
     cancelStroke();
     exchange(patch);
+}
+
+void Document::swapViews(SceneViews& views)
+{
+    cancelStroke();
+    SceneViews before = m_bookmarks->views();
+    keepViews(m_project, views);
+    m_bookmarks->take(std::exchange(views, std::move(before)));
+}
+
+void Document::pushViews(SceneViews next, const QString& text)
+{
+    endStroke();
+    const StateId following{state().texels, ++m_lastState};
+    m_undo.push(new SwapViews(*this, std::move(next), following, text)); // the stack owns it
 }
 
 void Document::exchange(TexelPatch& patch)

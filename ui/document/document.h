@@ -13,6 +13,10 @@
 #include <span>
 #include <vector>
 
+namespace trixel {
+struct SceneViews;
+}
+
 namespace trixel::ui {
 
 /// What a change touched; `rects` is empty when everything may differ.
@@ -21,12 +25,21 @@ struct Change
     std::vector<TouchedRect> rects;
 };
 
-/// Names a state of the document: equal names mean equal texels. Unlike a position in the undo
-/// stack it stays true when undone commands are thrown away.
-enum class StateId : std::uint64_t {};
+class ViewBookmarks;
+
+/// Names a state of the document: equal names mean equal texels and equal views. Unlike a position
+/// in the undo stack it stays true when undone commands are thrown away.
+struct StateId
+{
+    std::uint64_t texels = 0; ///< equal ones mean equal texels, whatever the views
+    std::uint64_t views = 0;
+
+    bool operator==(const StateId&) const = default;
+};
 
 /// Owns the open project and one undo stack; pushing a command is the only lasting way to change
-/// texels. A stroke in progress shows at once and becomes one command when it ends.
+/// texels and bookmarked views. A stroke in progress shows at once and becomes one command when it
+/// ends.
 class Document : public QObject
 {
     Q_OBJECT
@@ -47,11 +60,15 @@ public:
     /// A snapshot for saving and exporting while painting goes on; cheap.
     Project snapshot() const { return m_project; }
 
+    /// The views bookmarked in the project; changed through this, one undo step a change.
+    ViewBookmarks& bookmarks() { return *m_bookmarks; }
+    const ViewBookmarks& bookmarks() const { return *m_bookmarks; }
+
     QUndoStack& undoStack() { return m_undo; }
     QString path() const { return m_path; }
     QString title() const;
-    /// Whether the texels differ from those last saved (or opened). A stroke in progress counts
-    /// once it ends.
+    /// Whether texels or views differ from those last saved (or opened). A stroke in progress
+    /// counts once it ends.
     bool isModified() const { return isOpen() && state() != m_savedState; }
     /// The state the undo stack stands at.
     StateId state() const;
@@ -79,7 +96,7 @@ public:
     /// Exchanges a patch with the texels, as one undo step; levels may change. Refused with
     /// `notice` when the texels have changed since.
     /// \param patch    the texels to come, made elsewhere from a copy
-    /// \param madeFor  the state that the copy was of
+    /// \param madeFor  the state that the copy was of; views bookmarked since do not matter
     /// \return         whether it was applied
     bool applyPatch(TexelPatch patch, StateId madeFor, const QString& text);
 
@@ -99,17 +116,23 @@ private:
     void swapPatch(TexelPatch& patch);
     void exchange(TexelPatch& patch);
     void push(TexelPatch applied, const QString& text);
+    friend class SwapViews;
+    friend class ViewBookmarks;
+    void swapViews(SceneViews& views);
+    /// \param next  valid views, other than the present ones
+    void pushViews(SceneViews next, const QString& text);
     void announceModified();
 
     Project m_project;
     std::vector<std::byte> m_fill;
     QString m_path;
     QString m_title;
+    ViewBookmarks* m_bookmarks;
     std::optional<Stroke> m_stroke;
     bool m_strokeErases = false;
     QUndoStack m_undo;
-    StateId m_openedState{};
-    StateId m_savedState{};
+    StateId m_openedState;
+    StateId m_savedState;
     std::uint64_t m_lastState = 0;
     bool m_announcedModified = false;
 };

@@ -6,10 +6,9 @@
 namespace trixel::ui {
 
 SwapPatch::SwapPatch(Document& document, TexelPatch applied, StateId state, const QString& text)
-    : QUndoCommand(text)
+    : DocumentStep(state, text)
     , m_document(document)
     , m_patch(std::move(applied))
-    , m_state(state)
 {
 }
 

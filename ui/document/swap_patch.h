@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QUndoCommand>
-
 #include "core/texture/texel_patch.h"
-#include "ui/document/document.h"
+#include "ui/document/document_step.h"
 
 namespace trixel::ui {
 
 /// Undo command of any change of texels: undo and redo are the same exchange of a patch.
-class SwapPatch : public QUndoCommand
+class SwapPatch : public DocumentStep
 {
 public:
     /// \param applied  what a change already made replaced; the redo of the push does nothing
     /// \param state    the name of the document's state after the change
     SwapPatch(Document& document, TexelPatch applied, StateId state, const QString& text);
-
-    StateId state() const { return m_state; }
 
     void undo() override;
     void redo() override;
@@ -24,7 +20,6 @@ public:
 private:
     Document& m_document;
     TexelPatch m_patch;
-    StateId m_state;
     bool m_applied = true;
 };
 

@@ -114,7 +114,10 @@ void FileActions::makeActions()
 void FileActions::listen()
 {
     connect(m_recent, &RecentFiles::chosen, this, &FileActions::open);
-    connect(&m_document, &Document::opened, this, &FileActions::enable);
+    connect(&m_document, &Document::opened, this, [this] {
+        enable();
+        m_messages.dismiss(); // of what was open before; notices of the new document follow
+    });
     connect(&m_document, &Document::notice, this, [this](const QString& sentence) {
         m_messages.showMessage(MessageBar::Kind::Error, sentence);
     });
@@ -122,7 +125,6 @@ void FileActions::listen()
         m_messages.showMessage(MessageBar::Kind::Error, sentence);
     });
     connect(&m_files, &ProjectFiles::opened, this, [this](const QString& path) {
-        m_messages.dismiss();
         m_recent->add(path);
         rememberFolderOf(path);
     });
