@@ -4,6 +4,7 @@
 #include <QtConcurrent>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 namespace trixel::ui {
@@ -59,16 +60,23 @@ void BackgroundJob::cancel()
     emit cancelRequested();
 }
 
-void BackgroundJob::start(std::function<void(Progress&)> work)
+void BackgroundJob::start(QThreadPool& threads, std::function<void(Progress&)> work)
 {
-    m_watcher.setFuture(QtConcurrent::run([work = std::move(work)](QPromise<void>& promise) {
-        PromiseProgress progress(promise);
-        try {
-            work(progress);
-        } catch (const std::bad_alloc&) {
-            // Leaves no outcome, which is told as want of memory.
-        }
-    }));
+    m_watcher.setFuture(
+        QtConcurrent::run(&threads, [work = std::move(work)](QPromise<void>& promise) {
+            PromiseProgress progress(promise);
+            try {
+                work(progress);
+            } catch (const std::bad_alloc&) {
+                // Leaves no outcome, which is told as want of memory.
+            }
+        }));
+}
+
+BackgroundJobs::BackgroundJobs(QObject* parent)
+    : QObject(parent)
+{
+    m_threads.setMaxThreadCount(std::numeric_limits<int>::max());
 }
 
 BackgroundJobs::~BackgroundJobs()
@@ -103,7 +111,7 @@ BackgroundJob& BackgroundJobs::add(const QString& title,
                 emit ended(job);
                 job->deleteLater();
             });
-    job->start(std::move(work));
+    job->start(m_threads, std::move(work));
     emit started(job);
     return *job;
 }

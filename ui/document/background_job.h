@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QPromise>
 #include <QString>
+#include <QThreadPool>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -38,21 +39,22 @@ signals:
 private:
     friend class BackgroundJobs;
     BackgroundJob(const QString& title, QObject* parent);
-    void start(std::function<void(Progress&)> work);
+    void start(QThreadPool& threads, std::function<void(Progress&)> work);
 
     QString m_title;
     QFutureWatcher<void> m_watcher;
     bool m_cancelled = false;
 };
 
-/// Runs work away from the GUI thread and brings the answers back to it. Answers of work still
-/// running when this object dies are dropped, after waiting for the work to stop.
+/// Runs work away from the GUI thread and brings the answers back to it. No work waits for other
+/// work: a save starts at once while a study runs. Answers of work still running when this object
+/// dies are dropped, after waiting for the work to stop.
 class BackgroundJobs : public QObject
 {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit BackgroundJobs(QObject* parent = nullptr);
     ~BackgroundJobs() override;
 
     /// Starts `work(Progress&)`, which returns `Result<T>`, on another thread; it may refer only to
@@ -95,6 +97,7 @@ private:
                        std::function<void(Progress&)> work,
                        std::function<void(bool cancelled)> deliver);
 
+    QThreadPool m_threads;              // of its own, as many as there are jobs
     std::vector<BackgroundJob*> m_jobs; // children, in the order they started
 };
 

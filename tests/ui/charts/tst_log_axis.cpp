@@ -93,6 +93,20 @@ TEST(LogAxisTest, zeroAndTheVanishinglySmallShareALineAtTheEnd)
     EXPECT_FALSE(rounding.isBelow(0.008));
 }
 
+TEST(LogAxisTest, infinityHasALineOfItsOwnAboveAll)
+{
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const LogAxis axis(std::vector{1e-3, 1.0, kInfinity}, Quantity::Number);
+    const Tick last = axis.ticks(10).back();
+    EXPECT_EQ(last.text.toStdString(), "∞");
+    EXPECT_EQ(last.place, axis.place(kInfinity));
+    EXPECT_GT(last.place, axis.place(1) + 0.05);
+
+    const LogAxis finite(std::vector{1e-3, 1.0}, Quantity::Number);
+    EXPECT_NE(finite.ticks(10).back().text.toStdString(), "∞");
+    EXPECT_GT(finite.place(1), axis.place(1)); // the room is kept where there is need
+}
+
 TEST(LogAxisTest, oneValueNoValueAndNonsenseGiveAnAxis)
 {
     for (const std::vector<double>& values :

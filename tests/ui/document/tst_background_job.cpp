@@ -133,6 +133,32 @@ private slots:
         QVERIFY(outcome->error().message.find("memory") != std::string::npos);
     }
 
+    void workStartsAtOnceHoweverMuchIsUnderWay()
+    {
+        BackgroundJobs jobs;
+        const int crowd = 2 * QThread::idealThreadCount() + 2;
+        std::atomic<int> waiting = 0;
+        std::atomic<bool> mayEnd = false;
+        for (int k = 0; k < crowd; ++k) {
+            jobs.run(
+                "study",
+                [&](Progress&) -> Status {
+                    ++waiting;
+                    while (!mayEnd) {
+                        QThread::msleep(1);
+                    }
+                    return {};
+                },
+                [](const Status&) {});
+        }
+        bool saved = false;
+        jobs.run(
+            "save", [](Progress&) { return Status(); }, [&](const Status&) { saved = true; });
+        const bool atOnce = QTest::qWaitFor([&] { return saved && waiting == crowd; });
+        mayEnd = true;
+        QVERIFY(atOnce);
+    }
+
     void dyingWaitsForTheWorkAndDropsItsAnswer()
     {
         std::atomic<bool> finished = false;

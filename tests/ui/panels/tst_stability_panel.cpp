@@ -48,11 +48,12 @@ StabilitySweep madeUpSweep(const std::string& name, double ours)
 struct FakeSweeps
 {
     std::atomic<bool> mayEnd = false;
+    double ours = 1e-3; ///< largest error of our form in the second sweep
 
     Result<StabilityReport> run(const StabilityInput& input, StabilityWatcher& watcher)
     {
         StabilityReport report;
-        report.sweeps = {madeUpSweep("lines", 1e-14), madeUpSweep("poles", 1e-3)};
+        report.sweeps = {madeUpSweep("lines", 1e-14), madeUpSweep("poles", ours)};
         if (input.project) {
             AssetFinding needle;
             needle.name = "needle";
@@ -120,6 +121,15 @@ private slots:
         QCOMPARE(list()->topLevelItem(0)->text(1), QString::fromUtf8("✓ holds"));
         QCOMPARE(list()->topLevelItem(1)->text(1), QString::fromUtf8("✗ fails"));
         QCOMPARE(list()->topLevelItem(0)->text(2), QString::fromUtf8("✗ 2 of 4"));
+    }
+
+    void noUsableAnswerOfOursIsInfinitelyWrong()
+    {
+        m_fake->ours = kInfinity;
+        runToEnd();
+        QCOMPARE(list()->topLevelItem(1)->text(1), QString::fromUtf8("✗ fails"));
+        QVERIFY2(list()->topLevelItem(1)->toolTip(1).endsWith(QString::fromUtf8(" ∞")),
+                 qPrintable(list()->topLevelItem(1)->toolTip(1)));
     }
 
     void theChosenRowIsCharted()
