@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/fit.h"
-
 #include "app/cli/arguments.h"
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/base/read_file.h"
-#include "core/study/fit_method.h"
-#include "core/study/fit_subdivision.h"
+#include "core/study/scene_fit.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -56,14 +53,6 @@ Result<SceneViews> readCameras(const std::string& path)
     return views;
 }
 
-/// What is reported, beyond the plan itself.
-struct Report
-{
-    double tolerance = 0;
-    std::optional<FitMethod> method;
-    std::vector<SubdivisionError> subdivision;
-};
-
 std::string decimal(double number, int digits)
 {
     std::array<char, 64> text{};
@@ -71,33 +60,35 @@ std::string decimal(double number, int digits)
     return {text.data(), static_cast<std::size_t>(std::max(length, 0))};
 }
 
-nlohmann::json toJson(const FitPlan& plan, const Report& report)
+nlohmann::json toJson(const SceneFit& fit, double tolerance)
 {
+    const FitPlan& plan = fit.plan;
     nlohmann::json json = {{"texelsBefore", plan.cost.texelsBefore},
                            {"texelsAfter", plan.cost.texelsAfter},
                            {"bytesBefore", plan.cost.bytesBefore},
                            {"bytesAfter", plan.cost.bytesAfter},
                            {"facesChanged", plan.cost.changedFaces},
                            {"facesUnseen", plan.unseenFaces},
-                           {"tolerance", report.tolerance},
+                           {"tolerance", tolerance},
                            {"rms", plan.rms},
                            {"worstPart", plan.worstPart},
                            {"worstFace", plan.worstFace}};
-    if (report.method) {
-        json["method"] = {{"name", toText(report.method->method)},
-                          {"nanoseconds", report.method->nanoseconds},
-                          {"rms", report.method->rms}};
+    if (fit.method) {
+        json["method"] = {{"name", toText(fit.method->method)},
+                          {"nanoseconds", fit.method->nanoseconds},
+                          {"rms", fit.method->rms}};
     }
     json["subdivision"] = nlohmann::json::array();
-    for (const SubdivisionError& error : report.subdivision) {
+    for (const SubdivisionError& error : fit.subdivision) {
         json["subdivision"].push_back(
             {{"steps", error.steps}, {"faces", error.faces}, {"pixels", error.pixels}});
     }
     return json;
 }
 
-void print(const FitPlan& plan, const Report& report)
+void print(const SceneFit& fit, double tolerance)
 {
+    const FitPlan& plan = fit.plan;
     const LevelCost& cost = plan.cost;
     const double times =
         static_cast<double>(cost.texelsBefore) / static_cast<double>(cost.texelsAfter);
@@ -109,34 +100,20 @@ void print(const FitPlan& plan, const Report& report)
               << grouped(plan.unseenFaces) << " are in no picture\n"
               << "error        RMS " << decimal(plan.rms, 3) << " over the mesh, "
               << decimal(plan.worstPart, 3) << " in its worst part; the tolerance is "
-              << decimal(report.tolerance, 3) << "\n";
-    if (report.method) {
-        std::cout << "filter       " << toText(report.method->method) << " is the fastest within "
-                  << "the tolerance: " << decimal(report.method->nanoseconds, 3)
-                  << " ns a pixel, RMS " << decimal(report.method->rms, 2) << "\n";
+              << decimal(tolerance, 3) << "\n";
+    if (fit.method) {
+        std::cout << "filter       " << toText(fit.method->method) << " is the fastest within "
+                  << "the tolerance: " << decimal(fit.method->nanoseconds, 3) << " ns a pixel, RMS "
+                  << decimal(fit.method->rms, 2) << "\n";
     }
-    if (!report.subdivision.empty()) {
-        const SubdivisionError& last = report.subdivision.back();
+    if (!fit.subdivision.empty()) {
+        const SubdivisionError& last = fit.subdivision.back();
         std::cout << "subdivision  as a Loop cage, "
                   << (last.pixels <= kSubdivisionPixels ? "" : "more than ")
                   << counted(static_cast<std::uint64_t>(last.steps), "step") << " ("
                   << grouped(last.faces) << " faces, " << decimal(last.pixels, 2)
                   << " pixels off the limit surface)\n";
     }
-}
-
-Result<std::optional<FitMethod>>
-fastestMethod(const Project& project, const SceneViews& views, double tolerance, Progress& progress)
-{
-    StageProgress building(progress, 0, 0.2);
-    const auto shapes = std::make_shared<FilterSurface>(
-        FilterSurface::fromMesh(project.surface->mesh(), project.surface->adjacency()));
-    const auto scene = FilterScene::build(shapes, project.texels, Threads::all(), building);
-    if (!scene) {
-        return tl::unexpected(scene.error());
-    }
-    StageProgress measuring(progress, 0.2, 1);
-    return fitMethod(*project.surface, *scene, views, tolerance, Threads::all(), measuring);
 }
 
 Status checkOutput(const Arguments& arguments)
@@ -147,7 +124,7 @@ Status checkOutput(const Arguments& arguments)
     return expectEnding(arguments.output, FileKind::Project);
 }
 
-Result<Outcome> fit(const Arguments& arguments, Progress& progress)
+Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
 {
     if (const Status output = checkOutput(arguments); !output) {
         return tl::unexpected(output.error());
@@ -165,19 +142,13 @@ Result<Outcome> fit(const Arguments& arguments, Progress& progress)
     if (!project) {
         return tl::unexpected(project.error());
     }
-    StageProgress planning(progress, 0.05, 0.9);
-    const auto plan =
-        planFit(*project->surface, project->texels, {*views, *tolerance}, Threads::all(), planning);
-    if (!plan) {
-        return tl::unexpected(plan.error());
+    StageProgress fitting(progress, 0.05, 0.97);
+    auto fitted =
+        fitScene(*project->surface, project->texels, {*views, *tolerance}, Threads::all(), fitting);
+    if (!fitted) {
+        return tl::unexpected(fitted.error());
     }
-    applyFit(*plan, project->texels);
-    StageProgress measuring(progress, 0.9, 0.97);
-    const auto method = fastestMethod(*project, *views, *tolerance, measuring);
-    if (!method) {
-        return tl::unexpected(method.error());
-    }
-    const Report report{*tolerance, *method, subdivisionErrors(project->surface->mesh(), *views)};
+    project->texels = fitted->fitted;
     if (!arguments.dryRun) {
         StageProgress saving(progress, 0.97, 1);
         if (const Status saved = saveProject(arguments.output, *project, saving); !saved) {
@@ -185,9 +156,9 @@ Result<Outcome> fit(const Arguments& arguments, Progress& progress)
         }
     }
     if (arguments.json) {
-        printJson(toJson(*plan, report));
+        printJson(toJson(*fitted, *tolerance));
     } else {
-        print(*plan, report);
+        print(*fitted, *tolerance);
     }
     return Outcome::Done;
 }
@@ -215,7 +186,7 @@ void addFit(CLI::App& parser, Work& chosen)
     verb->add_flag("--dry-run", arguments->dryRun, "Tell what it would do, write nothing");
     verb->add_flag("--json", arguments->json, "Print one JSON object");
     verb->callback([arguments, &chosen] {
-        chosen = [arguments](Progress& progress) { return fit(*arguments, progress); };
+        chosen = [arguments](Progress& progress) { return runFit(*arguments, progress); };
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trixel {
 namespace {
@@ -103,9 +104,11 @@ public:
         for (std::uint32_t f = 0; f < m_before.size(); ++f) {
             const FaceId face = faceId(f);
             const double error = std::sqrt(m_squares[face]);
-            plan.errors[face] = static_cast<float>(error);
+            const bool isSeen = m_source.samples.isSeen(face);
+            plan.errors[face] =
+                isSeen ? static_cast<float>(error) : std::numeric_limits<float>::quiet_NaN();
             plan.worstFace = std::max(plan.worstFace, error);
-            plan.unseenFaces += m_source.samples.isSeen(face) ? 0 : 1;
+            plan.unseenFaces += isSeen ? 0 : 1;
             sum += m_squares[face] * m_source.samples.pixels[face];
             pixels += m_source.samples.pixels[face];
             if (plan.levels[face] != m_before[face]) {

@@ -33,7 +33,8 @@ struct FitSettings
 struct FitPlan
 {
     FaceMap<Level> levels;
-    /// RMS of each face at the finest footprint that a covered view can have there.
+    /// RMS of each face at the finest footprint that a covered view can have there; NaN where no
+    /// view frames it.
     FaceMap<float> errors;
     LevelCost cost;
     double rms = 0;       ///< over all faces that a view frames, by pixels

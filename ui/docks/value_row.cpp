@@ -71,7 +71,8 @@ QValidator::State ScaledSpinBox::validate(QString& text, int& /*position*/) cons
 void ScaledSpinBox::stepBy(int steps)
 {
     if (m_scale == Scale::Logarithmic) {
-        setValue(value() * std::pow(1.1, steps));
+        const double from = value() > 0 ? value() : steps > 0 ? singleStep() : 0;
+        setValue(from * std::pow(1.1, steps));
     } else {
         QDoubleSpinBox::stepBy(steps);
     }

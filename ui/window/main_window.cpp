@@ -21,6 +21,7 @@
 
 #include "ui/docks/brush_panel.h"
 #include "ui/docks/chart_panel.h"
+#include "ui/docks/fit_panel.h"
 #include "ui/docks/readout_panel.h"
 #include "ui/docks/report_panel.h"
 #include "ui/docks/seam_panel.h"
@@ -168,7 +169,34 @@ void MainWindow::makePanels()
     m_panelActions->add(*report, {Qt::Key_F4});
     m_panelActions->add(*steps, {Qt::Key_F5});
     m_panelActions->add(*seams, {Qt::Key_F7});
+    makeFitPanel();
     makeStudyPanels();
+}
+
+/// Out of the way until wanted.
+void MainWindow::makeFitPanel()
+{
+    m_fit = new FitPanel(m_document, m_settings, m_jobs, *m_viewport, fitWork());
+    QDockWidget* fit = addPanel("fitPanel", tr("Fit to scene"), m_fit);
+    tabifyDockWidget(findChild<QDockWidget*>("seamPanel"), fit);
+    fit->hide();
+    m_panelActions->add(*fit, {Qt::SHIFT | Qt::Key_F7});
+    connect(m_fit, &FitPanel::failed, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Error, sentence);
+    });
+    connect(m_fit, &FitPanel::applied, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Note,
+                                sentence,
+                                {tr("&Undo"), [this] { m_document.undoStack().undo(); }});
+    });
+}
+
+void MainWindow::showFit()
+{
+    auto* dock = findChild<QDockWidget*>("fitPanel");
+    dock->show();
+    dock->raise();
+    m_fit->begin();
 }
 
 /// Below the view, wide as charts are, and out of the way until wanted.
@@ -219,6 +247,11 @@ void MainWindow::makeMenus()
     m_selectionActions->fillMenu(*edit);
     edit->addSeparator();
     m_levelActions->fillMenu(*edit);
+    QAction* fit = ActionMaker(*this)(tr("Fit Levels to S&cene…"),
+                                      tr("Plan the lowest levels that keep what views show"),
+                                      QKeySequence(Qt::CTRL | Qt::Key_L));
+    connect(fit, &QAction::triggered, this, &MainWindow::showFit);
+    edit->addAction(fit);
     m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));

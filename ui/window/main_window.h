@@ -21,6 +21,7 @@ class BrushPanel;
 class ChartPanel;
 class EditActions;
 class FileActions;
+class FitPanel;
 class HoverFilter;
 class LevelActions;
 class MapActions;
@@ -71,6 +72,8 @@ private:
     void makeStatusBar();
     void connectView();
     void makeStudyPanels();
+    void makeFitPanel();
+    void showFit();
     QDockWidget* addPanel(const QString& name, const QString& title, QWidget* content);
     QDockWidget* addWidePanel(const QString& name, const QString& title, QWidget* content);
     void takeDocument();
@@ -99,6 +102,7 @@ private:
     ChartPanel* m_chart = nullptr;
     StabilityPanel* m_stability = nullptr;
     SeamPanel* m_seams = nullptr;
+    FitPanel* m_fit = nullptr;
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/docks/fit_run.h"
+
+#include <optional>
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace trixel::ui {
+
+class FitResult;
+class FitViews;
+class ScaledSpinBox;
+class ViewSettings;
+class Viewport;
+
+/// Fit to scene: from views and a tolerance the lowest level of each face that keeps what the views
+/// show. The plan, its costs and its errors are shown before it is applied as one undo step.
+class FitPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    FitPanel(Document& document,
+             ViewSettings& settings,
+             BackgroundJobs& jobs,
+             Viewport& viewport,
+             FitWork work,
+             QWidget* parent = nullptr);
+
+    const FitRun& run() const { return m_run; }
+    /// Whether the last plan is for the texels and the choices as they are now.
+    bool isCurrent() const;
+    /// Gives the keyboard to the first choice.
+    void begin();
+
+signals:
+    /// One sentence about what could not be done.
+    void failed(const QString& sentence);
+    /// One sentence about what was done.
+    void applied(const QString& sentence);
+
+private:
+    void makeTolerance(QBoxLayout& column);
+    void makeButtons(QBoxLayout& column);
+    void connectRun();
+    void planOrCancel();
+    void apply();
+    void showState();
+    QString stateText() const;
+    QString problem() const;
+    FitSettings settings() const;
+
+    Document& m_document;
+    FitRun m_run;
+    std::optional<StateId> m_applied; ///< the state that the plan led to
+
+    FitViews* m_views;
+    ScaledSpinBox* m_tolerance;
+    FitResult* m_result;
+    QLabel* m_state;
+    QProgressBar* m_progress;
+    QPushButton* m_plan;
+    QPushButton* m_apply;
+};
+
+} // namespace trixel::ui

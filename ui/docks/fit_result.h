@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/docks/fit_run.h"
+
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace trixel::ui {
+
+class ViewSettings;
+
+/// What a fit would do and what it would leave: texels, memory, errors, subdivision, filter method,
+/// and the faces by level.
+class FitResult : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit FitResult(ViewSettings& settings, QWidget* parent = nullptr);
+
+    void show(const FitOutcome& outcome);
+
+private:
+    QLabel* addRow(QFormLayout& form, const QString& title, const QString& toolTip);
+    void makeLevels();
+    void showMethod(const FitOutcome& outcome);
+    void showSubdivision(const FitOutcome& outcome);
+    void showLevels(const FitOutcome& outcome);
+    void showUse();
+
+    ViewSettings& m_settings;
+    QLabel* m_texels;
+    QLabel* m_memory;
+    QLabel* m_faces;
+    QLabel* m_error;
+    QLabel* m_subdivision;
+    QLabel* m_method;
+    QPushButton* m_use;
+    QTreeWidget* m_levels;
+    std::optional<MethodChoice> m_choice;
+};
+
+/// An error in the unit that tolerances are told in: "0.61 / 255".
+QString errorText(double error);
+
+} // namespace trixel::ui
