@@ -49,9 +49,9 @@ private:
                 unfolding.unfold(scene.surface(), face, ellipse, frame, cut, m_settings.mostTaps);
             EwaSum fine(reference);
             EwaSum coarse(reference);
-            if (!add(scene, places, plan.fine, group, fine) ||
+            if (!fine.add(scene, places, m_window, plan.fine, group, m_settings.mostTaps) ||
                 (isBlended(scene, places, plan) &&
-                 !add(scene, places, plan.coarse, group, coarse)) ||
+                 !coarse.add(scene, places, m_window, plan.coarse, group, m_settings.mostTaps)) ||
                 fine.taps() + coarse.taps() > m_settings.mostTaps) {
                 if (m_settings.atBase) {
                     return {0, kRefusedTaps};
@@ -93,22 +93,6 @@ private:
             reference[c] = std::isfinite(average[c]) ? average[c] : 0.0F;
         }
         return reference;
-    }
-
-    /// False where it takes too many texels.
-    bool add(const FilterScene& scene,
-             std::span<const PlacedFace> places,
-             int level,
-             int group,
-             EwaSum& sum) const
-    {
-        for (const PlacedFace& place : places) {
-            sum.add(scene, place, m_window, level, group);
-            if (sum.taps() > m_settings.mostTaps) {
-                return false;
-            }
-        }
-        return true;
     }
 
     EwaSettings m_settings;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The inner loop of EWA: texels of one level under a window, face by face.
+// The inner loop of EWA: texels of one level under a window, over many faces.
 #pragma once
 
-#include "core/filter/gaussian_window.h"
-#include "core/filter/placed_face.h"
-#include "core/filter/query_filter.h"
+#include "core/filter/ewa_kernel.h"
 
-#include <array>
 #include <cstdint>
+#include <span>
 
 namespace trixel {
 
@@ -23,29 +21,27 @@ public:
     {
     }
 
-    /// Adds the face's texels of a level, or of its base where that is coarser. The covariance of
-    /// the ellipse is lessened by that of a texel's box beyond a base texel's, so that box and
-    /// Gaussian together spread as far as the Gaussian alone over the base level; by half at most.
-    /// Weights are times texel area and of equal mass whatever was subtracted.
-    void add(const FilterScene& scene,
-             const PlacedFace& place,
+    /// Adds the faces' texels of a level, or of their base where that is coarser
+    /// (`addUnderWindow`).
+    /// \return false where it takes more than `mostTaps`; the sum then is of no use
+    bool add(const FilterScene& scene,
+             std::span<const PlacedFace> places,
              const GaussianWindow& window,
              int level,
-             int group);
+             int group,
+             std::uint64_t mostTaps);
 
-    double weight() const { return m_weight; }
-    std::uint64_t taps() const { return m_taps; }
+    double weight() const { return m_sums.weight; }
+    std::uint64_t taps() const { return m_sums.taps; }
     /// \param channel  in [0, 4); weight() is not 0
     float mean(std::size_t channel) const
     {
-        return m_reference[channel] + static_cast<float>(m_values[channel] / m_weight);
+        return m_reference[channel] + static_cast<float>(m_sums.values[channel] / m_sums.weight);
     }
 
 private:
     GroupValue m_reference;
-    std::array<double, kGroupChannels> m_values{};
-    double m_weight = 0;
-    std::uint64_t m_taps = 0;
+    WindowSums m_sums;
 };
 
 } // namespace trixel

@@ -9,6 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace trixel {
@@ -20,22 +22,27 @@ namespace trixel {
 class FlatWalk
 {
 public:
-    /// \param hit   the first face
-    /// \param laid  all faces under the circle of radius `cut` about the origin, `hit` first
-    /// \return false where the order matters (an edge fits in one place and not in another), where
-    ///         faces are so narrow that the places would not be exact, and beyond `mostFaces`;
-    ///         `laid` then is of no use
-    bool lay(const FilterSurface& surface,
-             const PlacedFace& hit,
-             double cut,
-             std::size_t mostFaces,
-             std::vector<PlacedFace>& laid);
+    /// \param hit  the first face
+    /// \return all faces under the circle of radius `cut` about the origin, `hit` first; valid
+    /// until
+    ///         the next call. Nothing where the order matters (an edge fits in one place and not in
+    ///         another), where faces are so narrow that the places would not be exact, and beyond
+    ///         `mostFaces`.
+    std::optional<std::span<const PlacedFace>>
+    lay(const FilterSurface& surface, const PlacedFace& hit, double cut, std::size_t mostFaces);
 
 private:
-    void add(const PlacedFace& place, unsigned edgesToCross, std::vector<PlacedFace>& laid);
+    /// Edges of a face that have still to be looked at, bit k for edge k.
+    using Edges = std::uint8_t;
 
-    FaceTable m_numbers;               ///< of faces in `laid`
-    std::vector<std::uint8_t> m_edges; ///< of each, bit k: edge k has still to be looked at
+    bool cross(const FilterSurface& surface, std::size_t number, std::size_t edge);
+    void makeRoom();
+
+    FaceTable m_numbers; ///< of faces that are laid
+    // Longer than what is laid: the first m_count count.
+    std::vector<PlacedFace> m_laid;
+    std::vector<Edges> m_edges;
+    std::size_t m_count = 0;
 };
 
 /// Whether the segment from a to b comes within the square root of `squared` of the origin.

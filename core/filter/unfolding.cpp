@@ -74,9 +74,10 @@ std::span<const PlacedFace> Unfolding::unfold(const FilterSurface& surface,
                          {frame.toUnit(-ellipse.centre),
                           frame.toUnit(shape.e1 - ellipse.centre),
                           frame.toUnit(shape.e2 - ellipse.centre)}};
-    if (!m_walk.lay(surface, hit, cut, mostFaces, m_laid)) {
-        layByRule(surface, hit, frame, cut, mostFaces);
+    if (const auto laid = m_walk.lay(surface, hit, cut, mostFaces)) {
+        return *laid;
     }
+    layByRule(surface, hit, frame, cut, mostFaces);
     return m_laid;
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace trixel;
 using namespace trixel::test;
@@ -161,6 +162,43 @@ TEST(Ewa, takesTheVarianceOfMipsOff)
     EXPECT_EQ(ewa.level, 5.0F);
     // Σ is 0.002; what a mip of level 5 adds to v² is 5e-5.
     EXPECT_NEAR(ewa.value[0], exact.value[0], 8e-6);
+}
+
+TEST(Ewa, keepsNaNsOutBeyondTheEndOfARow)
+{
+    // Texels are read four at a time, also where the next is no longer under the window.
+    const auto value = [](FaceId, glm::dvec2 uv, int) {
+        return uv.x < 0.5 && uv.y < 0.5 ? 0.5F : std::numeric_limits<float>::quiet_NaN();
+    };
+    const FilterScene scene = flatScene(6, value);
+    std::size_t clean = 0;
+    for (int k = 0; k < 200; ++k) {
+        const float u = 0.05F + 0.4F * static_cast<float>(k) / 200;
+        const Query query{faceId(60), {u, 0.25F}, {0.02F, -0.01F}, {0, 0.02F}};
+        // What `exact` finds within six standard deviations the window has long left.
+        if (std::isfinite(ask(*method("exact"), scene, query).value[0])) {
+            EXPECT_NEAR(ask(*method("ewa-base"), scene, query).value[0], 0.5, 1e-6) << u;
+            ++clean;
+        }
+    }
+    EXPECT_GT(clean, 100U);
+}
+
+TEST(Ewa, keepsNaNsOutOfFacesOfFewTexels)
+{
+    // One in the middle of every face; the query is at a corner.
+    const auto value = [](FaceId, glm::dvec2 uv, int) {
+        return glm::length(uv - 1.0 / 3) > 0.01 ? 0.5F : std::numeric_limits<float>::quiet_NaN();
+    };
+    for (const int level : {2, 3}) {
+        const FilterScene scene = flatScene(level, value);
+        const Query query{faceId(60), {0.01F, 0.01F}, {}, {}};
+        const Answer answer = ask(*method("ewa-base"), scene, query);
+        EXPECT_NEAR(answer.value[0], 0.5, 1e-6) << "level " << level;
+        EXPECT_GT(answer.taps, 6U);
+        const Answer middle = ask(*method("ewa-base"), scene, {faceId(60), {0.3F, 0.3F}, {}, {}});
+        EXPECT_TRUE(std::isnan(middle.value[0])) << "level " << level;
+    }
 }
 
 TEST(Ewa, readsNoMoreThanItsCap)

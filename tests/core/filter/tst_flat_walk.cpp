@@ -25,9 +25,7 @@ PlacedFace about(const FilterSurface& surface, FaceId face, double size)
 
 bool isLaid(const FilterSurface& surface, FaceId face, double size, double cut)
 {
-    FlatWalk walk;
-    std::vector<PlacedFace> laid;
-    return walk.lay(surface, about(surface, face, size), cut, SIZE_MAX, laid);
+    return FlatWalk().lay(surface, about(surface, face, size), cut, SIZE_MAX).has_value();
 }
 
 } // namespace
@@ -38,8 +36,9 @@ TEST(FlatWalk, laysEveryFaceOfAFlatMeshOnce)
     const FilterSurface surface = surfaceOf(mesh);
     const FaceId hit = faceId(mesh.faceCount() / 2 + 21);
     FlatWalk walk;
-    std::vector<PlacedFace> laid;
-    ASSERT_TRUE(walk.lay(surface, about(surface, hit, 1), 100, SIZE_MAX, laid));
+    const auto all = walk.lay(surface, about(surface, hit, 1), 100, SIZE_MAX);
+    ASSERT_TRUE(all);
+    const std::vector<PlacedFace> laid(all->begin(), all->end());
     EXPECT_EQ(laid.front().face, hit);
     EXPECT_EQ(laid.size(), mesh.faceCount());
     std::set<FaceId> faces;
@@ -53,7 +52,7 @@ TEST(FlatWalk, laysEveryFaceOfAFlatMeshOnce)
                         1e-6);
         }
     }
-    EXPECT_FALSE(walk.lay(surface, about(surface, hit, 1), 100, laid.size() - 1, laid));
+    EXPECT_FALSE(walk.lay(surface, about(surface, hit, 1), 100, laid.size() - 1));
 }
 
 TEST(FlatWalk, leavesAVertexThatIsNotFlatToTheRule)
