@@ -24,21 +24,22 @@ struct ProbeLine
     int perSide() const { return std::max(1, static_cast<int>(std::ceil(support - 0.5))); }
 };
 
-/// Rows that a query may have.
-inline constexpr std::size_t kMostLines = 3;
+/// Lines that a query may have.
+inline constexpr std::size_t kMostLines = 2;
 
-/// The rows of one query of the plans, at least one.
+/// The lines of one query of the plans: one, or two that cross in its centre.
 /// \param lines  room for kMostLines
 /// \return       how many
 inline std::size_t
 linesOf(const ProbePlans& plans, std::size_t index, FaceId face, ProbeLine* lines)
 {
-    lines[0] = {face,
-                {plans.u[index], plans.v[index]},
-                {plans.stepU[index], plans.stepV[index]},
-                plans.support[index],
-                1.0};
-    return 1;
+    const glm::dvec2 centre(plans.u[index], plans.v[index]);
+    const glm::dvec2 step(plans.stepU[index], plans.stepV[index]);
+    const glm::dvec2 side(plans.sideU[index], plans.sideV[index]);
+    const double support = plans.support[index];
+    lines[0] = {face, centre, step + side, support, 1.0};
+    lines[1] = {face, centre, step - side, support, 1.0};
+    return side == glm::dvec2(0) ? 1 : 2;
 }
 
 } // namespace trixel

@@ -6,16 +6,32 @@
 
 namespace trixel {
 
-/// Probes lie at (k + ½) steps, k = 0, 1, …, from the centre either way along the major axis, while
-/// that is below the support, with weights exp(-c x²) - exp(-c), x = steps / support.
+/// Probes lie at (k + ½) steps, k = 0, 1, …, from the centre either way along a line, while that is
+/// below the support, with weights exp(-c x²) - exp(-c), x = steps / support.
 ///
 /// A probe blurs alike in all directions; what the footprint is longer than that along its major
-/// axis is left to the weights. Everything changes continuously with the footprint, and weights are
-/// 0 where the number of probes changes: nothing pops.
-inline constexpr double kProbeFalloff = 3.1; ///< c
-/// Support in sigmas: the weights' variance is (support / this)².
-inline constexpr double kProbeSupport = 2.79445;
-/// Probes a query may have, and room for as many.
+/// axis is left to the weights. One blur of its width would do across, too, but it would be a poor
+/// Gaussian: it depends on where in a texel it lies, and midway between two levels it has too sharp
+/// a peak and too wide a foot. So a footprint that is not much longer than wide gets sharper probes
+/// on two lines that cross in its centre. The lines turn towards each other as it gets longer,
+/// where the sum along the line makes up for all that, and become one where it has kOneLine times
+/// its width.
+///
+/// Everything changes continuously with the footprint, and weights are 0 where the number of probes
+/// changes: nothing pops.
+///
+/// What two lines spread across, in sigmas of the minor axis, of round footprints.
+inline constexpr double kApart = 0.57;
+/// Anisotropy from which on one line is enough.
+inline constexpr double kOneLine = 4.0;
+/// A circle has no direction for lines: below this anisotropy they shrink to its centre.
+inline constexpr double kDirected = 1.05;
+/// Fewer probes than this are not worth a second line.
+inline constexpr int kLeastOfTwoLines = 8;
+/// Spacing goes with this power of the anisotropy: of many probes each matters less.
+inline constexpr double kWidening = 0.3;
+
+/// Probes a line may have, and room for as many.
 inline constexpr int kMostProbes = 128;
 /// Longest support to a side, in edges of faces about the centre: hostile footprints end there.
 inline constexpr double kMostProbedEdges = 128.0;
@@ -23,16 +39,26 @@ inline constexpr double kMostProbedEdges = 128.0;
 /// What tells the probe methods apart.
 struct ProbeSettings
 {
-    double spacing = 1.8;   ///< largest distance of two probes, in sigmas of one probe's blur
-    double band = 1;        ///< of `levelBlend`
-    int most = kMostProbes; ///< probes, even
+    double band = 1;    ///< of `levelBlend`
+    int most = 0;       ///< probes of a line, even
+    double spacing = 0; ///< largest distance of two probes of round footprints, in sigmas of
+                        ///< one probe's blur
+    double falloff = 0; ///< c
+    double support = 0; ///< in sigmas of the weights
+    double apart = 0;   ///< kApart; 0: always one line
 };
+
+/// Few probes are spent best far apart and with weights that end while they are still large, many
+/// probes close together and with weights that reach further; both chosen by the least error on the
+/// stored distribution.
+/// \param most  even, in [2, kMostProbes]
+ProbeSettings probeSettings(int most, double band);
 
 /// How the number of probes is kept to `most`.
 struct ProbeCap
 {
     /// Smallest variance of a probe, as a fraction of that of the major axis: thinner footprints
-    /// are blurred to it.
+    /// are blurred to it, and shortened by the 16th root of how much they would need to be.
     double thinnest = 0;
     /// Smallest step, as a fraction of the support: (most + 1)/2 steps span it.
     double shortestStep = 0;
@@ -48,8 +74,12 @@ struct ProbePlans
     alignas(64) double v[kSize];
     alignas(64) double stepU[kSize]; ///< in (u,v) of the face
     alignas(64) double stepV[kSize];
+    alignas(64) double sideU[kSize]; ///< by which two lines' steps differ from that, one to either
+                                     ///< side; nothing: one line
+    alignas(64) double sideV[kSize];
     alignas(64) double support[kSize]; ///< in steps
-    alignas(64) double fine[kSize];    ///< number of the finer level
+    alignas(64) double fine[kSize];    ///< number of the finer level; one beyond a face's own
+                                       ///< means the detail of its texels
     alignas(64) double coarse[kSize];  ///< weight of the coarser level, in [0, 1]
 };
 

@@ -47,9 +47,67 @@ HWY_INLINE V limitOf(D d, V u, V v)
     return hn::IfThenElse(isLong, hn::Div(widest, hn::Sqrt(squared)), hn::Set(d, 1.0));
 }
 
+/// Which levels are read, see `levelBlend`.
+struct Blend
+{
+    V fine, coarse; ///< number of the finer level; weight of the coarser one
+    V variance;     ///< that the blend has
+};
+
+/// \param edge2   squared edges of the face and of its texels
+/// \param wanted  variance
+HWY_INLINE Blend blendOf(D d, V edge2, V texel2, V wanted, double band)
+{
+    const V zero = hn::Zero(d);
+    const V half = hn::Set(d, 0.5);
+    const V one = hn::Set(d, 1.0);
+    const auto clamped = [&](V x) { return hn::Min(hn::Max(x, zero), one); };
+
+    // The levels whose blend has the variance wanted. Below the base's own it is stretched to
+    // what a level beyond it would have by the rule for the others. Of 4^level = edge²/texel² the
+    // exponent tells the finer level.
+    const V inPoints = hn::Mul(texel2, hn::Set(d, kTexelVariance));
+    constexpr double kStretch =
+        (kBaseVariance - kBeyondVariance) / (kBaseVariance - kDetailVariance);
+    const V base = hn::Mul(texel2, hn::Set(d, kBaseVariance));
+    const V sharpest = hn::Mul(texel2, hn::Set(d, kDetailVariance));
+    wanted = hn::Max(wanted, sharpest);
+    const V wantedBelow = hn::Min(hn::Sub(wanted, base), zero);
+    const V stretched = hn::MulAdd(wantedBelow, hn::Set(d, kStretch - 1), wanted);
+    const V wanted2 = hn::Mul(hn::Add(stretched, inPoints), hn::Set(d, 1 / kVertexKernel));
+    const hn::RebindToSigned<D> di;
+    const auto bits = hn::BitCast(di, hn::Div(edge2, wanted2));
+    const auto exponent =
+        hn::Sub(hn::ShiftRight<52>(bits), hn::Set(di, 1023)); // floor(log2), never negative bits
+    const auto half2 = hn::ShiftRight<1>(exponent);
+    const V finer = hn::ConvertTo(d, hn::Add(half2, hn::Set(di, 1)));
+    V fine = hn::Min(hn::Max(finer, zero), hn::Set(d, double{Level::kMax}));
+    const auto fineBits = hn::ConvertTo(di, fine);
+    const V perTexel =
+        hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(di, 1023), hn::Add(fineBits, fineBits))));
+    const V fine2 = hn::Mul(edge2, perTexel);
+    const auto hasCoarse = hn::Gt(fine, zero);
+    const V third = hn::Set(d, 1.0 / 3.0);
+    V coarse = clamped(hn::Mul(hn::Sub(hn::Div(wanted2, fine2), one), third));
+    coarse = clamped(hn::MulAdd(hn::Sub(coarse, half), hn::Set(d, 1 / band), half));
+    coarse = hn::IfThenElseZero(hasCoarse, coarse);
+    const V byRule = hn::MulSub(hn::Mul(hn::Set(d, kVertexKernel), fine2),
+                                hn::MulAdd(hn::Set(d, 3.0), coarse, one),
+                                inPoints);
+    const V below = hn::Min(hn::Sub(byRule, base), zero);
+    const V variance = hn::MulAdd(below, hn::Set(d, 1 / kStretch - 1), byRule);
+    const auto onlyCoarse = hn::Eq(coarse, one);
+    return {hn::IfThenElse(onlyCoarse, hn::Sub(fine, one), fine),
+            hn::IfThenZeroElse(onlyCoarse, coarse),
+            variance};
+}
+
 /// Everything as in `queryEllipse` and `levelBlend`, for the lanes of one register.
-HWY_INLINE void
-planLanes(const PlanInputs& in, std::size_t at, const ProbeSettings& settings, ProbePlans& out)
+HWY_INLINE void planLanes(const PlanInputs& in,
+                          std::size_t at,
+                          const ProbeSettings& settings,
+                          const ProbeCap& cap,
+                          ProbePlans& out)
 {
     const D d;
     const V zero = hn::Zero(d);
@@ -126,72 +184,76 @@ planLanes(const PlanInputs& in, std::size_t at, const ProbeSettings& settings, P
     const V axisY = hn::Mul(dy, inverse);
 
     // Neither longer nor thinner than the probes can span.
-    const ProbeCap cap = probeCap(settings);
-    constexpr double kLongest = kMostProbedEdges / kProbeSupport;
-    major = hn::Min(major, hn::Mul(hn::Set(d, kLongest * kLongest), edge2));
+    const double longest = kMostProbedEdges / settings.support;
+    major = hn::Min(major, hn::Mul(hn::Set(d, longest * longest), edge2));
+    minor = hn::Min(minor, major);
+    const V lack = hn::Min(hn::Div(minor, hn::Mul(hn::Set(d, cap.thinnest), major)), one);
+    major = hn::Mul(major, hn::Sqrt(hn::Sqrt(hn::Sqrt(lack))));
     minor = hn::Max(minor, hn::Mul(hn::Set(d, cap.thinnest), major));
 
-    // The levels whose blend has the minor axis' variance. Of 4^level = edge²/texel² the exponent
-    // tells the finer level.
-    const V inPoints = hn::Mul(texel2, hn::Set(d, kTexelVariance));
-    const V least = hn::Mul(texel2, hn::Set(d, kVertexKernel - kTexelVariance));
-    const V wanted2 =
-        hn::Mul(hn::Add(hn::Max(minor, least), inPoints), hn::Set(d, 1 / kVertexKernel));
-    const hn::RebindToSigned<D> di;
-    const auto bits = hn::BitCast(di, hn::Div(edge2, wanted2));
-    const auto exponent =
-        hn::Sub(hn::ShiftRight<52>(bits), hn::Set(di, 1023)); // floor(log2), never negative bits
-    const auto half2 = hn::ShiftRight<1>(exponent);
-    const V finer = hn::ConvertTo(d, hn::Add(half2, hn::Set(di, 1)));
-    V fine = hn::Min(hn::Max(finer, zero), hn::Set(d, double{Level::kMax}));
-    const auto fineBits = hn::ConvertTo(di, fine);
-    const V perTexel =
-        hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(hn::Set(di, 1023), hn::Add(fineBits, fineBits))));
-    const V fine2 = hn::Mul(edge2, perTexel);
-    const auto hasCoarse = hn::Gt(fine, zero);
-    const V third = hn::Set(d, 1.0 / 3.0);
-    V coarse = clamped(hn::Mul(hn::Sub(hn::Div(wanted2, fine2), one), third));
-    coarse = clamped(hn::MulAdd(hn::Sub(coarse, half), hn::Set(d, 1 / settings.band), half));
-    coarse = hn::IfThenElseZero(hasCoarse, coarse);
-    const V variance = hn::MulSub(hn::Mul(hn::Set(d, kVertexKernel), fine2),
-                                  hn::MulAdd(hn::Set(d, 3.0), coarse, one),
-                                  inPoints);
-    const auto onlyCoarse = hn::Eq(coarse, one);
-    fine = hn::IfThenElse(onlyCoarse, hn::Sub(fine, one), fine);
-    coarse = hn::IfThenZeroElse(onlyCoarse, coarse);
+    // What two lines spread across is taken from the blur.
+    const V anisotropy = hn::Sqrt(hn::Div(major, minor));
+    const V shorter =
+        clamped(hn::Mul(hn::Sub(hn::Set(d, kOneLine), anisotropy), hn::Set(d, 1 / (kOneLine - 1))));
+    const V directed = clamped(hn::Mul(hn::Sub(anisotropy, one), hn::Set(d, 1 / (kDirected - 1))));
+    const V apart = hn::Mul(hn::Set(d, settings.apart), hn::Mul(shorter, directed));
+    const V across = hn::Mul(minor, hn::Mul(apart, apart));
+
+    const Blend blend = blendOf(d, edge2, texel2, hn::Sub(minor, across), settings.band);
+    const V variance = blend.variance;
+
+    // The probes make up for what the blur lacks of the ellipse: along the major axis and, as far
+    // as two lines spread them, along the minor one. Not beyond that: a round footprint has no
+    // direction, and one that is round but for rounding must not get a random one. Little of it is
+    // let go of, smoothly, because roots of little change fast.
+    const V along = hn::Max(hn::Sub(major, hn::Max(variance, minor)), zero);
+    const V lacking = hn::Max(hn::Sub(minor, variance), zero);
+    const V spread = hn::Min(lacking, hn::Add(across, across));
+    const V residue = hn::Add(along, hn::Add(spread, spread));
+    const V negligible = hn::Mul(minor, hn::Set(d, 0.01));
+    const V rest = hn::Div(residue, hn::Sqrt(hn::Add(residue, negligible)));
 
     // Two probes one sigma from the centre have the variance to a hair; closer than that the
     // spacing shrinks instead of the number.
-    // What the levels lack of the minor axis is not made up for: a round footprint has no
-    // direction, and one that is round but for rounding must not get a random one. So a residue far
-    // below the minor axis is let go of, smoothly.
-    const V residue = hn::Max(hn::Sub(major, hn::Max(variance, minor)), zero);
-    const V negligible = hn::Mul(minor, hn::Set(d, 1e-4));
-    const V rest = hn::Div(residue, hn::Sqrt(hn::Add(residue, negligible)));
-    const V support = hn::Mul(rest, hn::Set(d, kProbeSupport));
-    const V spaced =
-        hn::Min(hn::Mul(hn::Set(d, settings.spacing), hn::Sqrt(variance)), hn::Add(rest, rest));
+    const V support = hn::Mul(rest, hn::Set(d, settings.support));
+    const V wider = hn::Exp(d, hn::Mul(hn::Log(d, anisotropy), hn::Set(d, kWidening)));
+    const V spacing = hn::Mul(hn::Mul(hn::Set(d, settings.spacing), wider), hn::Sqrt(variance));
+    const V spaced = hn::Min(spacing, hn::Add(rest, rest));
     const V step = hn::Max(spaced, hn::Mul(support, hn::Set(d, cap.shortestStep)));
     const auto isStep = hn::Gt(step, zero);
     const V steps = hn::Div(support, hn::IfThenElse(isStep, step, one));
-    const V stepV = hn::Div(hn::Mul(axisY, step), e2y);
-    const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, step)), e1x);
+
+    // The lines' angle with the major axis does not depend on what the levels happen to blur: when
+    // only the width of a footprint changes they stay where they are, and never sweep over a
+    // vertex, where a surface that is not flat tears.
+    const V longer2 = hn::Max(hn::Sub(major, minor), zero);
+    const V both = hn::Add(longer2, hn::Add(across, across));
+    const V sine2 = hn::Div(across, hn::IfThenElse(hn::Gt(both, zero), both, one));
+    const V stepAlong = hn::Mul(step, hn::Sqrt(hn::Sub(one, sine2)));
+    const V stepAcross = hn::Mul(step, hn::Sqrt(sine2));
+    const V stepV = hn::Div(hn::Mul(axisY, stepAlong), e2y);
+    const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, stepAlong)), e1x);
+    const V sideV = hn::Div(hn::Mul(axisX, stepAcross), e2y);
+    const V sideU = hn::Neg(hn::Div(hn::MulAdd(sideV, e2x, hn::Mul(axisY, stepAcross)), e1x));
 
     hn::Store(u, d, out.u + at);
     hn::Store(v, d, out.v + at);
     hn::Store(stepU, d, out.stepU + at);
     hn::Store(stepV, d, out.stepV + at);
+    hn::Store(sideU, d, out.sideU + at);
+    hn::Store(sideV, d, out.sideV + at);
     hn::Store(hn::IfThenElse(isStep, steps, one), d, out.support + at);
-    hn::Store(fine, d, out.fine + at);
-    hn::Store(coarse, d, out.coarse + at);
+    hn::Store(blend.fine, d, out.fine + at);
+    hn::Store(blend.coarse, d, out.coarse + at);
 }
 
 /// Plans of `count` inputs; places beyond may hold anything.
 HWY_INLINE void
 planAll(const PlanInputs& in, std::size_t count, const ProbeSettings& settings, ProbePlans& out)
 {
+    const ProbeCap cap = probeCap(settings);
     for (std::size_t at = 0; at < count; at += hn::Lanes(D())) {
-        planLanes(in, at, settings, out);
+        planLanes(in, at, settings, cap, out);
     }
 }
 

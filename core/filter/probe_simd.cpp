@@ -10,6 +10,7 @@
 #include "core/filter/probe_plan_simd-inl.h"
 #include "core/filter/probe_sum_simd-inl.h"
 #include "core/filter/query_filter.h"
+#include "core/filter/texel_detail.h"
 
 #include <cmath>
 #include <hwy/cache_control.h>
@@ -22,6 +23,7 @@ struct LineWork
 {
     ProbeList list;
     Reads fine, coarse;
+    TexelReads texels;
     float weight = 0; ///< of all probes, that of the line aside
 };
 
@@ -79,6 +81,21 @@ valuesOf(const FilterScene& scene, const ProbeList& list, std::size_t k, int gro
     return scene.pyramid().vertices(list.face[k], level, group).values;
 }
 
+/// Adds the texels that the probes of a line read.
+HWY_INLINE void
+addTexels(const FilterScene& scene, const LineWork& work, int group, ChannelSum& sum)
+{
+    const TexelReads& texels = work.texels;
+    for (std::size_t k = 0; k < work.list.count; ++k) {
+        if (texels.ownWeight[k] > 0 || texels.otherWeight[k] > 0) {
+            const FaceId face = work.list.face[k];
+            const LevelTexels base = scene.mips().texels(face, scene.level(face), group);
+            sum.add(base.texel(TexelIndex{texels.own[k]}), texels.ownWeight[k]);
+            sum.add(base.texel(TexelIndex{texels.other[k]}), texels.otherWeight[k]);
+        }
+    }
+}
+
 /// Sums the probes of one query for one group of channels.
 HWY_INLINE void sumProbes(const FilterScene& scene,
                           const QueryWork& query,
@@ -103,6 +120,9 @@ HWY_INLINE void sumProbes(const FilterScene& scene,
                 coarse.add(values, work.coarse, k);
             }
         }
+        if (work.texels.count > 0) {
+            addTexels(scene, work, group, fine);
+        }
         const auto ofLine = static_cast<float>(lines[l].weight);
         sum.addSums(fine, coarse, ofLine);
         weight += ofLine * work.weight;
@@ -111,9 +131,12 @@ HWY_INLINE void sumProbes(const FilterScene& scene,
 }
 
 /// Finds out what a line reads, and asks the caches for it.
-HWY_INLINE void prepareLine(const ProbeLine& line, float coarseShare, LineWork& work)
+HWY_INLINE void
+prepareLine(const ProbeLine& line, double falloff, float coarseShare, LineWork& work)
 {
-    work.weight = findReads(work.list, line.support, coarseShare, work.fine, work.coarse);
+    Reads& fine = work.fine;
+    work.weight = findReads(work.list, line.support, falloff, coarseShare, fine, work.coarse);
+    findTexels(work.list, coarseShare, {fine.first, fine.second, fine.third}, work.texels);
     for (std::size_t p = 0; p < work.list.count; ++p) {
         const float* values = work.list.values[p];
         hwy::Prefetch(values + work.fine.pair[p]);
@@ -149,11 +172,11 @@ void finishQuery(const FilterScene& scene,
         storeAnswer(results, q, group, scene.channels(), value);
     }
     const int level = std::min(query.fineLevel, scene.level(face).log2());
-    std::size_t probes = 0;
+    std::size_t taps = 0;
     for (std::size_t l = query.first; l < query.first + query.count; ++l) {
-        probes += work.works[l].list.count;
+        const LineWork& line = work.works[l];
+        taps += line.list.count * (query.coarseShare > 0 ? 6 : 3) + line.texels.count;
     }
-    const std::size_t taps = probes * (query.coarseShare > 0 ? 6 : 3);
     storeCost(results,
               q,
               hasCentre ? QueryCost{static_cast<float>(level), static_cast<std::uint32_t>(taps)}
@@ -166,6 +189,7 @@ std::size_t filterSome(const FilterScene& scene,
                        std::size_t begin,
                        std::size_t first,
                        std::size_t end,
+                       double falloff,
                        const FilterResults& results,
                        Workspace& work)
 {
@@ -188,7 +212,7 @@ std::size_t filterSome(const FilterScene& scene,
     placeProbes(scene, std::span(work.lines, lines), std::span(lists, lines));
     for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t l = some[k].first; l < some[k].first + some[k].count; ++l) {
-            prepareLine(work.lines[l], some[k].coarseShare, work.works[l]);
+            prepareLine(work.lines[l], falloff, some[k].coarseShare, work.works[l]);
         }
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -208,7 +232,7 @@ void filterBlock(const FilterScene& scene,
         gatherInputs(scene, queries, begin, count, work.inputs);
         planAll(work.inputs, count, settings, work.plans);
         for (std::size_t done = 0; done < count;) {
-            done += filterSome(scene, queries, begin, done, count, results, work);
+            done += filterSome(scene, queries, begin, done, count, settings.falloff, results, work);
         }
     }
 }

@@ -77,8 +77,9 @@ storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k
 }
 
 /// Fills reads at both levels; returns the sum of the weights.
-HWY_INLINE float
-findReads(ProbeList& list, double support, float coarse, Reads& fineReads, Reads& coarseReads)
+/// \param c  falloff of the weights, see `ProbeLine`
+HWY_INLINE float findReads(
+    ProbeList& list, double support, double c, float coarse, Reads& fineReads, Reads& coarseReads)
 {
     const DD dd;
     const DF d;
@@ -98,9 +99,8 @@ findReads(ProbeList& list, double support, float coarse, Reads& fineReads, Reads
     const VI below = hn::Set(di, begin(list.fine) - begin(coarser));
     const VI fineResolution = hn::Set(di, static_cast<std::int32_t>(Level(list.fine).resolution()));
     const VF perSupport = hn::Set(d, static_cast<float>(1 / support));
-    const VF falloff = hn::Set(d, static_cast<float>(-kProbeFalloff));
-    const VF pedestal = hn::Set(d, 0.045049202F); // exp(-kProbeFalloff)
-    static_assert(kProbeFalloff == 3.1);
+    const VF falloff = hn::Set(d, static_cast<float>(-c));
+    const VF pedestal = hn::Set(d, static_cast<float>(std::exp(-c)));
 
     VF total = hn::Zero(d);
     for (std::size_t k = 0; k < list.count; k += lanes) {
@@ -177,6 +177,16 @@ public:
             V4 sum = hn::MulAdd(first, off(pair), m_sum[p]);
             sum = hn::MulAdd(second, off(pair + kGroupChannels), sum);
             m_sum[p] = hn::MulAdd(third, off(single), sum);
+        }
+    }
+
+    /// Adds one value.
+    HWY_INLINE void add(const float* value, float weight)
+    {
+        const D4 d;
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const V4 off = hn::Sub(hn::LoadU(d, value + p * hn::Lanes(d)), m_origin[p]);
+            m_sum[p] = hn::MulAdd(hn::Set(d, weight), off, m_sum[p]);
         }
     }
 

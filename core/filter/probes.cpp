@@ -38,11 +38,11 @@ MethodEntry probeEntry()
                     .levelContinuous = Claim::Yes};
     MethodParameter probes;
     probes.name = "probes";
-    probes.meaning = "Most probes along the major axis; what they cannot span is blurred.";
+    probes.meaning = "Most probes on a line along the footprint; what they cannot span is blurred.";
     probes.least = 2;
     probes.most = kMostProbes;
     probes.standard = 32;
-    probes.curve = {2, 4, 8, 16, 32, 64, 128};
+    probes.curve = {2, 4, 8, 16, 24, 32, 64, 128};
     entry.parameter = probes;
     return entry;
 }
@@ -54,12 +54,11 @@ MethodEntry probesOneLevelMethod()
     MethodEntry entry = probeEntry();
     entry.name = "probes-1";
     entry.title = "Probes, one level";
-    entry.about = "Gaussian probes along the major axis in the conforming pyramid, at one level; "
+    entry.about = "Gaussian probes on one or two lines in the conforming pyramid, at one level; "
                   "two are blended only about the switch.";
-    entry.parameter->standard = 16;
+    entry.parameter->standard = 24;
     entry.make = [](double probes) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Probes>(
-            ProbeSettings{.spacing = 2.4, .band = 0.25, .most = evenCount(probes)});
+        return std::make_unique<Probes>(probeSettings(evenCount(probes), 0.25));
     };
     return entry;
 }
@@ -69,11 +68,10 @@ MethodEntry probesTwoLevelsMethod()
     MethodEntry entry = probeEntry();
     entry.name = "probes-2";
     entry.title = "Probes, two levels";
-    entry.about = "Gaussian probes along the major axis in the conforming pyramid, two levels "
+    entry.about = "Gaussian probes on one or two lines in the conforming pyramid, two levels "
                   "blended so that the width is met.";
     entry.make = [](double probes) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Probes>(
-            ProbeSettings{.spacing = 1.8, .band = 1, .most = evenCount(probes)});
+        return std::make_unique<Probes>(probeSettings(evenCount(probes), 1));
     };
     return entry;
 }

@@ -21,7 +21,7 @@ TEST(ProbeTargets, agreeWithTheScalarPath)
     QueryArrays queries;
     for (int k = 0; k < 5000; ++k) {
         const auto face = faceId(static_cast<std::size_t>(unit(random) * double(mesh.faceCount())));
-        const double length = std::exp2(1 - 8 * unit(random));
+        const double length = std::exp2(1 - 12 * unit(random)); // down to magnified texels
         const double angle = 6.3 * unit(random);
         const glm::dvec2 along(std::cos(angle), std::sin(angle));
         const double other = length * std::exp2(-4 * unit(random));
@@ -31,7 +31,7 @@ TEST(ProbeTargets, agreeWithTheScalarPath)
                     other * glm::dvec2(-along.y, along.x));
     }
     for (const double band : {0.25, 1.0}) {
-        const ProbeSettings settings{.spacing = 1.8, .band = band, .most = 64};
+        const ProbeSettings settings = probeSettings(64, band);
         std::vector<ResultArrays> results;
         const std::vector<std::int64_t> targets = probeTargets();
         ASSERT_GE(targets.size(), 2U) << "nothing to compare";

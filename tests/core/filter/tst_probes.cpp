@@ -152,6 +152,60 @@ TEST_P(PyramidMethods, keepAConstantAndAnAffineTexture)
     }
 }
 
+/// Mean over many places of what a footprint adds to the squares of coordinates: its covariance.
+std::array<double, 3> covarianceOf(const MethodChoice& choice,
+                                   const FilterScene& scene,
+                                   const QueryArrays& queries,
+                                   const TriangleMesh& mesh)
+{
+    const ResultArrays results = answers(choice, scene, queries);
+    std::array<double, 3> covariance{};
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const glm::vec3 p = pointAt(mesh.corners(queries.face[k]), queries.u[k], queries.v[k]);
+        const std::array<float, 3> there = {p.x * p.x, p.x * p.y, p.y * p.y};
+        for (std::size_t c = 0; c < 3; ++c) {
+            covariance[c] += double(results.values[c * queries.size() + k] - there[c]) /
+                             static_cast<double>(queries.size());
+        }
+    }
+    return covariance;
+}
+
+TEST(TwoLevelProbes, haveTheCovarianceOfTheFootprint)
+{
+    Random random(29);
+    TriangleMesh mesh = flatLattice(12);
+    for (glm::vec3& position : mesh.positions) {
+        position -= glm::vec3(9, 5.2F, 0); // so that squares about the middle are small
+    }
+    const auto squares = [&](FaceId face, glm::dvec2 uv, int channel) {
+        const glm::vec3 p = pointAt(mesh.corners(face), float(uv.x), float(uv.y));
+        return channel == 0 ? p.x * p.x : channel == 1 ? p.x * p.y : p.y * p.y;
+    };
+    const FilterScene scene =
+        sceneOf(mesh, storeOf(FaceMap<Level>(mesh.faceCount(), Level(4)), 3, squares));
+    for (const double anisotropy : {1.0, 1.02, 1.3, 2.0, 3.7, 6.0}) {
+        // From a texel's floor to half a face.
+        for (const double width : {0.01, 0.08, 0.15, 0.3, 0.5}) {
+            QueryArrays queries;
+            const double angle = 6.3 * unit(random);
+            const glm::dvec2 along(std::cos(angle), std::sin(angle));
+            const FaceShape shape;
+            const glm::dvec2 w1 = shape.toUv(width * anisotropy * along);
+            const glm::dvec2 w2 = shape.toUv(width * glm::dvec2(-along.y, along.x));
+            for (int k = 0; k < 500; ++k) {
+                queries.add(faceId(2 * 12 * 6 + 12), randomPoint(random), w1, w2);
+            }
+            const auto probes = covarianceOf({"probes-2", 128}, scene, queries, mesh);
+            const auto exact = covarianceOf({"exact", std::nullopt}, scene, queries, mesh);
+            const double bound = 0.03 * (exact[0] + exact[2]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(probes[c], exact[c], bound) << anisotropy << ' ' << width << ' ' << c;
+            }
+        }
+    }
+}
+
 TEST_P(PyramidMethods, doNotCareForTheOrderOfAFacesVertices)
 {
     Random random(11);
@@ -226,6 +280,36 @@ TEST_P(PyramidMethods, takeAnyVectorsThatSpanTheSameFootprint)
     for (std::size_t k = 1; k < same.size(); ++k) {
         EXPECT_LE(largestDifference(first, answers(GetParam(), scene, same[k])), 1e-5) << k;
     }
+}
+
+TEST_P(PyramidMethods, giveACircleNoDirection)
+{
+    Random random(31);
+    const TriangleMesh mesh = randomClosedMesh(random);
+    const FilterScene scene =
+        sceneOf(mesh, noiseStore(random, randomLevels(random, mesh.faceCount(), 2, 6), 3));
+    QueryArrays before;
+    QueryArrays after;
+    for (int k = 0; k < 4000; ++k) {
+        const FaceId face =
+            faceId(static_cast<std::size_t>(unit(random) * double(mesh.faceCount())));
+        const glm::dvec2 uv = randomPoint(random);
+        const double radius = std::exp2(-8 * unit(random));
+        const double angle = 6.3 * unit(random);
+        const auto turned = [&](double by) {
+            const glm::dvec2 along(std::cos(by), std::sin(by));
+            return std::pair(
+                scene.surface().shape(face).toUv(radius * along),
+                scene.surface().shape(face).toUv(radius * glm::dvec2(-along.y, along.x)));
+        };
+        const auto [w1, w2] = turned(0);
+        const auto [w3, w4] = turned(angle);
+        before.add(face, uv, w1, w2);
+        after.add(face, uv, w3, w4);
+    }
+    EXPECT_LE(
+        largestDifference(answers(GetParam(), scene, before), answers(GetParam(), scene, after)),
+        1e-5);
 }
 
 TEST_P(PyramidMethods, stayFiniteAndAffordableWhateverTheQuery)

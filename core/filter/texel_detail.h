@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What probes read beyond a face's own level: its texels. Vertex averages of the base blur by more
+// than the narrowest footprints are wide; one level beyond them stands hexlin, the linear
+// interpolation between vertex, middle of an edge and centroid of the texel:
+//   f = (1 - 2 q - r) P + 3 r T + 2 (q - r) M,
+// p >= q >= r the barycentrics within texel T, P and Q the vertices of p and q, M the middle of PQ:
+// the mean of T and of T', its neighbour across PQ. On the edges of a face M is the mean of P and
+// Q, so that f is what vertex averages give there and neighbours agree whatever their levels.
+#pragma once
+
+#include "core/filter/probe_walk.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace trixel {
+
+/// Two texels of the base that a probe reads, and how much they count; nothing: it reads none.
+struct TexelReads
+{
+    alignas(64) std::uint32_t own[ProbeList::kRoom]; ///< packed order
+    alignas(64) std::uint32_t other[ProbeList::kRoom];
+    alignas(64) float ownWeight[ProbeList::kRoom];
+    alignas(64) float otherWeight[ProbeList::kRoom];
+    std::size_t count = 0; ///< texels that are read
+};
+
+/// Shares of a probe's weight that its three vertices have: two beside each other in a row of the
+/// lattice, then the one below (upper texels) or above them.
+struct VertexWeights
+{
+    float* first;
+    float* second;
+    float* third;
+};
+
+/// Finds the texels of the probes whose face is coarser than the list's fine level, and takes from
+/// their vertices what the texels get.
+/// \param coarse   weight of the level below the fine one, which the base of a face may be
+/// \param weights  of the base's vertices; changed
+void findTexels(const ProbeList& list, float coarse, VertexWeights weights, TexelReads& reads);
+
+} // namespace trixel
