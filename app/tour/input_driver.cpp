@@ -103,6 +103,12 @@ void InputDriver::keys(const QKeySequence& sequence)
     settle();
 }
 
+void InputDriver::press(QWidget& field, Qt::Key key)
+{
+    QTest::keyClick(&field, key);
+    settle();
+}
+
 void InputDriver::type(QWidget& field, const QString& text)
 {
     field.setFocus();

@@ -35,6 +35,8 @@ public:
     void wheel(QWidget& widget, QPoint at, int notches);
     /// Presses and lets go each combination in turn, as "Ctrl+E".
     void keys(const QKeySequence& sequence);
+    /// Presses and lets go one key where the keyboard is.
+    void press(QWidget& field, Qt::Key key);
     /// Replaces the text of an input field.
     void type(QWidget& field, const QString& text);
 

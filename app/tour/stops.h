@@ -26,6 +26,7 @@ public:
     Status undoneAndRedone();
     Status texelsOfBothHalves();
     Status mipLevels();
+    Status chosenLevels();
     Status newProject();
     Status exportedTexture();
     Status measuredChart();
@@ -41,6 +42,8 @@ private:
     Status pictureOf(QWidget& widget, const std::string& name);
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
+    /// Runs the command that the palette lists first for the words.
+    Status command(const QString& words);
 
     ui::MainWindow& m_window;
     QWidget& m_view;

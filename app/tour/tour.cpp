@@ -51,6 +51,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::undoneAndRedone,
                             &Stops::texelsOfBothHalves,
                             &Stops::mipLevels,
+                            &Stops::chosenLevels,
                             &Stops::conditionMap,
                             &Stops::errorMap,
                             &Stops::seamMeter,

@@ -134,6 +134,11 @@ void ChartPanel::makeStudies(QGridLayout& grid)
     addLabel(grid, 1, tr("O&n"), m_subject);
     grid.addWidget(m_subject, 1, 1);
     grid.addWidget(m_start, 1, 2);
+    const auto tellAbout = [this] {
+        m_study->setToolTip(offer() != nullptr ? offer()->about : tr("What to measure"));
+    };
+    tellAbout();
+    connect(m_study, &QComboBox::currentIndexChanged, this, tellAbout);
     connect(m_study, &QComboBox::currentIndexChanged, this, &ChartPanel::listSubjects);
     connect(m_start, &QPushButton::clicked, this, &ChartPanel::startOrCancel);
 }

@@ -99,12 +99,17 @@ Result<Study> runSubdivision(const StudyInput& input, StudyWatcher& watcher)
     return cage ? studySubdivision(*cage, watcher) : tl::unexpected(cage.error());
 }
 
-/// \param name, cost, unit  as the study itself has them
-StudyOffer makeOffer(
-    const char* title, const char* about, const char* name, const char* cost, const char* unit)
+/// \param choice  short: the list of studies is narrow
+/// \param title, name, cost, unit  as the study itself has them
+StudyOffer makeOffer(const char* choice,
+                     const char* title,
+                     const char* about,
+                     const char* name,
+                     const char* cost,
+                     const char* unit)
 {
     StudyOffer offer;
-    offer.title = tr(title);
+    offer.title = tr(choice);
     offer.about = tr(about);
     offer.header.name = name;
     offer.header.title = title;
@@ -129,36 +134,41 @@ StudyOffer withoutProject(StudyOffer offer, Result<Study> (*measure)(StudyWatche
 std::vector<StudyOffer> studyOffers()
 {
     StudyOffer filters =
-        makeOffer("Filters: time against error",
+        makeOffer("Filters",
+                  "Filters: time against error",
                   "Every filter with every value of its parameter, judged by the exact integral",
                   "speed-accuracy",
                   "Time per sample",
                   "ns");
     filters.run = runSpeedAccuracy;
     StudyOffer subdivision =
-        makeOffer("Subdivision: faces against distance",
+        makeOffer("Subdivision",
+                  "Subdivision: faces against distance",
                   "How near to the limit surface each further level of Loop subdivision comes",
                   "subdivision",
                   "Faces",
                   "faces");
-    subdivision.stored = tr("Cage of the sample scene");
+    subdivision.stored = tr("Cage of the sample");
     subdivision.run = runSubdivision;
     return {
         filters,
         withoutProject(
-            makeOffer("Paint projection: offset or none",
+            makeOffer("Paint projection",
+                      "Paint projection: offset or none",
                       "Painting the packed square with the offset of 1/6 texel and without",
                       "paint-projection",
                       "Time per texel",
                       "ns"),
             studyPaintProjection),
-        withoutProject(makeOffer("Reduction: our rule or 2×2 box",
+        withoutProject(makeOffer("Reduction",
+                                 "Reduction: our rule or 2×2 box",
                                  "Halving the resolution as triangles ask for, and as images do",
                                  "reduction",
                                  "Time per texel",
                                  "ns"),
                        studyReduction),
-        withoutProject(makeOffer("Storage: memory against error",
+        withoutProject(makeOffer("Storage",
+                                 "Storage: memory against error",
                                  "Texels as uint8, uint16, half and float",
                                  "storage",
                                  "Memory per texel",

@@ -25,7 +25,7 @@ struct StudyInput
 /// A study that can be run.
 struct StudyOffer
 {
-    QString title; ///< as people choose it
+    QString title; ///< as people choose it, in a word or two
     QString about; ///< one sentence
     /// Name, titles and units as the study will have them, for the points that come before its end.
     Study header;

@@ -159,7 +159,7 @@ void ChartView::paintCurrent(QPainter& painter)
     paintMarker(painter, m_plot.series[mark->series], at, kLarger * m_layout.markRadius, theme());
     paintRing(painter, at, 2.1 * m_layout.markRadius, palette().color(QPalette::Highlight));
     const QStringList lines = m_describe(*m_current);
-    paintCallout(painter, lines, fonts, theme(), calloutBox(lines, fonts, at, size()));
+    paintCallout(painter, lines, fonts, theme(), calloutBox(lines, fonts, at, m_plot, m_layout));
 }
 
 QString ChartView::spoken() const

@@ -13,6 +13,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStyleOption>
 #include <QTest>
 #include <QThread>
 #include <QToolButton>
@@ -325,6 +326,36 @@ private slots:
         QVERIFY(m_panel->view().y() > study->mapTo(m_panel.get(), QPoint()).y());
         QVERIFY(m_panel->view().width() > 280);
         QVERIFY(m_panel->minimumSizeHint().width() <= 310);
+    }
+
+    void choicesAreReadWhole_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::newRow("beside the chart") << 900;
+        QTest::newRow("above the chart") << 310;
+    }
+    void choicesAreReadWhole()
+    {
+        QFETCH(int, width);
+        m_panel =
+            std::make_unique<ChartPanel>(*m_document, *m_viewSettings, *m_jobs, studyOffers());
+        m_panel->resize(width, 460);
+        m_panel->show();
+        auto* study = named<QComboBox>("Study");
+        QVERIFY(study->count() >= 5);
+        for (int k = 0; k < study->count(); ++k) {
+            study->setCurrentIndex(k);
+            QCoreApplication::processEvents();
+            for (QComboBox* choice : {study, named<QComboBox>("Subject of the study")}) {
+                QStyleOptionComboBox option;
+                option.initFrom(choice);
+                const QRect field = choice->style()->subControlRect(
+                    QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, choice);
+                const int text = choice->fontMetrics().horizontalAdvance(choice->currentText());
+                QVERIFY2(text <= field.width(), qPrintable(choice->currentText()));
+            }
+            QVERIFY(study->toolTip().length() > study->currentText().length()); // the rest of it
+        }
     }
 
 private:
