@@ -30,6 +30,7 @@ public:
     Status newProject();
     Status exportedTexture();
     Status measuredChart();
+    Status bookmarkedViews();
     Status conditionMap();
     Status errorMap();
     Status seamMeter();

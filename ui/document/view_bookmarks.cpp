@@ -87,24 +87,24 @@ QString ViewBookmarks::name(int index) const
     return QString::fromStdString(nameIn(m_views, index));
 }
 
-QString ViewBookmarks::freeName() const
+QString ViewBookmarks::freeName(const QString& pattern) const
 {
     QSet<QString> taken;
     for (int k = 0; k < count(); ++k) {
         taken += name(k);
     }
     int number = 1;
-    while (taken.contains(tr("View %1").arg(number))) {
+    while (taken.contains(pattern.arg(number))) {
         ++number;
     }
-    return tr("View %1").arg(number);
+    return pattern.arg(number);
 }
 
 bool ViewBookmarks::add(ViewCamera camera)
 {
     camera.name = usableName(camera.name);
     if (camera.name.empty()) {
-        camera.name = freeName().toStdString();
+        camera.name = freeName(tr("View %1")).toStdString();
     }
     SceneViews next = m_views;
     next.cameras.push_back(camera);
@@ -115,7 +115,7 @@ bool ViewBookmarks::addDistant(DistantViews views)
 {
     views.name = usableName(views.name);
     if (views.name.empty()) {
-        views.name = freeName().toStdString();
+        views.name = freeName(tr("Any view %1")).toStdString();
     }
     SceneViews next = m_views;
     next.distant.push_back(views);
@@ -136,7 +136,7 @@ bool ViewBookmarks::addAll(SceneViews more)
     addNew(next.cameras, more.cameras);
     addNew(next.distant, more.distant);
     const int added = static_cast<int>(total(next) - total(m_views));
-    return change(std::move(next), tr("Add %n view(s)", nullptr, added));
+    return change(std::move(next), added == 1 ? tr("Add 1 view") : tr("Add %1 views").arg(added));
 }
 
 bool ViewBookmarks::replaceAll(SceneViews views)

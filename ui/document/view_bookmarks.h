@@ -28,10 +28,8 @@ public:
     int count() const;
     bool isDistant(int index) const;
     QString name(int index) const;
-    /// "View 1", or the next number that no view has.
-    QString freeName() const;
 
-    /// Both give a view without a name a free one.
+    /// Both give a view without a name one that no other has: "View 1", "Any view 1".
     /// \return  whether it was done
     bool add(ViewCamera camera);
     bool addDistant(DistantViews views);
@@ -56,6 +54,8 @@ private:
     /// What the document holds now.
     void take(SceneViews views);
     bool change(SceneViews next, const QString& text);
+    /// The pattern with the least number that makes a name of its own.
+    QString freeName(const QString& pattern) const;
 
     Document& m_document;
     SceneViews m_views;

@@ -20,15 +20,18 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/brush_panel.h"
+#include "ui/docks/camera_files.h"
 #include "ui/docks/chart_panel.h"
 #include "ui/docks/fit_panel.h"
 #include "ui/docks/readout_panel.h"
 #include "ui/docks/report_panel.h"
 #include "ui/docks/seam_panel.h"
 #include "ui/docks/stability_panel.h"
+#include "ui/docks/views_panel.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
+#include "ui/window/bookmark_actions.h"
 #include "ui/window/brush_actions.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/edit_actions.h"
@@ -43,6 +46,8 @@
 #include "ui/window/tool_actions.h"
 #include "ui/window/view_actions.h"
 #include "ui/window/welcome.h"
+
+#include <utility>
 
 namespace trixel::ui {
 
@@ -150,6 +155,7 @@ void MainWindow::makePanels()
     m_hoverFilter = new HoverFilter(m_document, m_settings, m_filterScene, m_readout);
     m_report = new ReportPanel;
     m_seams = new SeamPanel(m_document, m_settings, m_filterScene, m_jobs, *m_viewport);
+    m_views = new ViewsPanel(m_document, m_jobs, *m_viewport);
     auto* history = new QUndoView(&m_document.undoStack());
     history->setEmptyLabel(tr("As opened"));
     history->setAccessibleName(tr("Undo history"));
@@ -160,15 +166,19 @@ void MainWindow::makePanels()
     QDockWidget* report = addPanel("reportPanel", tr("Mesh"), m_report);
     QDockWidget* steps = addPanel("historyPanel", tr("History"), history);
     QDockWidget* seams = addPanel("seamPanel", tr("Seams"), m_seams);
+    QDockWidget* views = addPanel("viewsPanel", tr("Views"), m_views);
     tabifyDockWidget(readout, report);
     tabifyDockWidget(report, steps);
     tabifyDockWidget(steps, seams);
+    tabifyDockWidget(seams, views);
     readout->raise();
     m_panelActions->add(*brush, {Qt::Key_F2});
     m_panelActions->add(*readout, {Qt::Key_F3});
     m_panelActions->add(*report, {Qt::Key_F4});
     m_panelActions->add(*steps, {Qt::Key_F5});
     m_panelActions->add(*seams, {Qt::Key_F7});
+    m_panelActions->add(*views, {Qt::Key_F10});
+    m_bookmarkActions = new BookmarkActions(m_document, *m_views, *views, *this);
     makeFitPanel();
     makeStudyPanels();
 }
@@ -257,6 +267,8 @@ void MainWindow::makeMenus()
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
     view->addSeparator();
+    m_bookmarkActions->fillMenu(*view);
+    view->addSeparator();
     m_mapActions->fillMenu(*view);
     view->addSeparator();
     m_panelActions->fillMenu(*view);
@@ -341,7 +353,9 @@ void MainWindow::connectView()
     });
     // What was painted with is worth finding again.
     connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
-        if (index > 0 && m_settings.tool() != Tool::Eraser) {
+        const std::uint64_t texels = m_document.state().texels;
+        const bool painted = std::exchange(m_texelsSeen, texels) != texels;
+        if (index > 0 && painted && m_settings.tool() != Tool::Eraser) {
             m_colors.remember();
         }
     });
@@ -353,6 +367,13 @@ void MainWindow::connectView()
         m_viewport->markEdge(edge);
         m_viewport->frameEdge(edge);
     });
+    connect(m_views, &ViewsPanel::viewChosen, m_viewport, &Viewport::lookThrough);
+    connect(&m_views->files(), &CameraFiles::done, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Note, sentence);
+    });
+    connect(&m_views->files(), &CameraFiles::failed, this, [this](const QString& sentence) {
+        m_messages->showMessage(MessageBar::Kind::Error, sentence);
+    });
     connect(m_viewport, &Viewport::notice, this, [this](const QString& sentence) {
         m_messages->showMessage(MessageBar::Kind::Note, sentence);
     });
@@ -362,6 +383,7 @@ void MainWindow::takeDocument()
 {
     m_center->setCurrentWidget(m_document.isOpen() ? static_cast<QWidget*>(m_viewport)
                                                    : m_center->widget(0));
+    m_texelsSeen = m_document.state().texels;
     m_readout->clear();
     m_report->show(m_document.surface().get());
     if (m_document.isOpen()) {

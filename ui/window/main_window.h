@@ -17,6 +17,7 @@ class QStackedWidget;
 namespace trixel::ui {
 
 class BrushActions;
+class BookmarkActions;
 class BrushPanel;
 class ChartPanel;
 class EditActions;
@@ -35,6 +36,7 @@ class SelectionActions;
 class ToolActions;
 class ViewActions;
 class ViewMap;
+class ViewsPanel;
 class Viewport;
 
 /// The window: puts document, view, panels and menus together. What they do lives in them.
@@ -101,6 +103,7 @@ private:
     ReportPanel* m_report = nullptr;
     ChartPanel* m_chart = nullptr;
     StabilityPanel* m_stability = nullptr;
+    ViewsPanel* m_views = nullptr;
     SeamPanel* m_seams = nullptr;
     FitPanel* m_fit = nullptr;
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
@@ -111,9 +114,11 @@ private:
     LevelActions* m_levelActions = nullptr;
     ToolActions* m_toolActions = nullptr;
     BrushActions* m_brushActions = nullptr;
+    BookmarkActions* m_bookmarkActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     MapActions* m_mapActions = nullptr;
     PanelActions* m_panelActions = nullptr;
+    std::uint64_t m_texelsSeen = 0; ///< the document's texels when its history last moved
     bool m_mayClose = false;
 };
 

@@ -111,8 +111,8 @@ private slots:
         views().addDistant(distant(" \n", 3));
         views().add(camera("", 4));
         QCOMPARE(views().name(0), QString("View 1"));
-        QCOMPARE(views().name(2), QString("View 4"));
-        QCOMPARE(views().name(3), QString("View 2"));
+        QCOMPARE(views().name(2), QString("View 2"));
+        QCOMPARE(views().name(3), QString("Any view 1"));
     }
 
     void namesAreOneLineOfBoundedLength()
