@@ -3,6 +3,9 @@
 
 #include "core/filter/exact_kernel.h"
 
+#include <algorithm>
+#include <array>
+
 namespace trixel {
 namespace {
 
@@ -25,6 +28,57 @@ void addFace(const FilterScene& scene,
     }
 }
 
+/// Collects faces of few texels, so that they are summed side by side.
+class FewCollected
+{
+public:
+    FewCollected(double cut, double offset)
+        : m_cut(cut)
+        , m_offset(offset)
+    {
+        for (FewExactFaces& faces : m_byLevel) {
+            faces.count = 0;
+        }
+    }
+
+    void add(const PlacedFace& place, const LevelTexels& texels, int level, ExactSums& sums)
+    {
+        FewExactFaces& faces = m_byLevel[static_cast<std::size_t>(level)];
+        const std::uint32_t n = faces.count++;
+        faces.originX[n] = place.origin().x;
+        faces.originY[n] = place.origin().y;
+        faces.e1X[n] = place.e1().x;
+        faces.e1Y[n] = place.e1().y;
+        faces.e2X[n] = place.e2().x;
+        faces.e2Y[n] = place.e2().y;
+        faces.texels[n] = texels.values;
+        faces.stride[n] = texels.stride;
+        if (faces.count == FewExactFaces::kRoom) {
+            sumUp(level, sums);
+        }
+    }
+
+    void sumUp(ExactSums& sums)
+    {
+        for (int level = 0; level <= kFewExactLevel; ++level) {
+            sumUp(level, sums);
+        }
+    }
+
+private:
+    void sumUp(int level, ExactSums& sums)
+    {
+        FewExactFaces& faces = m_byLevel[static_cast<std::size_t>(level)];
+        if (faces.count > 0) {
+            addFewExactly(faces, level, m_cut, m_offset, sums);
+            faces.count = 0;
+        }
+    }
+
+    double m_cut, m_offset;
+    std::array<FewExactFaces, kFewExactLevel + 1> m_byLevel;
+};
+
 /// False where it would take too many texels.
 bool addFaces(const FilterScene& scene,
               Unfolding& unfolding,
@@ -40,13 +94,20 @@ bool addFaces(const FilterScene& scene,
     if (texelsOfWholeFaces(scene, places, cut) > kMostExactTaps) {
         return false;
     }
+    FewCollected few(cut, offset);
     for (const PlacedFace& place : places) {
-        addFace(scene, place, group, cut, offset, sums);
+        const Level level = scene.level(place.face);
+        if (level.log2() <= kFewExactLevel) {
+            few.add(place, scene.mips().texels(place.face, level, group), level.log2(), sums);
+        } else {
+            addFace(scene, place, group, cut, offset, sums);
+        }
         if (sums.taps > kMostExactTaps) {
             return false;
         }
     }
-    return true;
+    few.sumUp(sums);
+    return sums.taps <= kMostExactTaps;
 }
 
 } // namespace

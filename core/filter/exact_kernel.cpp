@@ -5,10 +5,8 @@
 #define HWY_TARGET_INCLUDE "core/filter/exact_kernel.cpp"
 #include <hwy/foreach_target.h> // includes this file once for each target
 // After it:
+#include "core/filter/exact_sums-inl.h"
 #include "core/filter/lattice_rows-inl.h"
-
-#include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace trixel {
@@ -16,69 +14,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using WeightTag = hn::CappedTag<double, 8>;
 constexpr std::uint32_t kChunk = 64; ///< weights at a time
-
-/// Sums of four channels.
-#if HWY_TARGET == HWY_SCALAR
-class ChannelSums
-{
-public:
-    HWY_INLINE void add(double weight, const float* texel)
-    {
-        for (std::size_t c = 0; c < kGroupChannels; ++c) {
-            m_sums[c] += weight * static_cast<double>(texel[c]);
-        }
-    }
-    HWY_INLINE void addTo(std::array<double, kGroupChannels>& values, double factor) const
-    {
-        for (std::size_t c = 0; c < kGroupChannels; ++c) {
-            values[c] += factor * m_sums[c];
-        }
-    }
-
-private:
-    std::array<double, kGroupChannels> m_sums{};
-};
-#else
-class ChannelSums
-{
-public:
-    HWY_INLINE ChannelSums() // written out: an implied one is not compiled for the target
-        : m_first(hn::Zero(Tag()))
-        , m_second(hn::Zero(Tag()))
-    {
-    }
-    HWY_INLINE void add(double weight, const float* texel)
-    {
-        const auto both = hn::Set(Tag(), weight);
-        m_first = hn::MulAdd(both, values(texel), m_first);
-        m_second = hn::MulAdd(both, values(texel + 2), m_second);
-    }
-    HWY_INLINE void addTo(std::array<double, kGroupChannels>& sums, double factor) const
-    {
-        addHalf(sums.data(), factor, m_first);
-        addHalf(sums.data() + 2, factor, m_second);
-    }
-
-private:
-    using Tag = hn::FixedTag<double, 2>;
-    using FloatTag = hn::FixedTag<float, 2>;
-
-    static HWY_INLINE hn::Vec<Tag> values(const float* two)
-    {
-        return hn::PromoteTo(Tag(), hn::LoadU(FloatTag(), two));
-    }
-    static HWY_INLINE void addHalf(double* sums, double factor, hn::Vec<Tag> half)
-    {
-        const auto before = hn::LoadU(Tag(), sums);
-        hn::StoreU(hn::MulAdd(hn::Set(Tag(), factor), half, before), Tag(), sums);
-    }
-
-    hn::Vec<Tag> m_first;
-    hn::Vec<Tag> m_second;
-};
-#endif
 
 void addExactly(const LevelTexels& texels,
                 const HalfLattice& lattice,
@@ -111,7 +47,10 @@ void addExactly(const LevelTexels& texels,
             auto w = hn::Exp(d, hn::Mul(q, hn::Set(d, -0.5)));
             // q of the next vector is jump (2 at + jump) step² larger.
             const auto growth = hn::MulAdd(at, hn::Set(d, jump), hn::Set(d, jump * jump / 2));
-            auto ratio = hn::Exp(d, hn::Mul(growth, hn::Set(d, -step2)));
+            auto ratio = w;
+            if (count > lanes) {
+                ratio = hn::Exp(d, hn::Mul(growth, hn::Set(d, -step2)));
+            }
             for (std::uint32_t k = 0; k < count; k += lanes) {
                 const auto inRun = hn::FirstN(d, count - k);
                 weight = hn::Add(weight, hn::IfThenElseZero(inRun, w));

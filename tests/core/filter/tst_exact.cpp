@@ -186,6 +186,55 @@ TEST(ExactKernel, weighsWhatIsNearThoughItsRowBeginsWhereWeightsVanish)
     EXPECT_NEAR(sums.values[0] / static_cast<double>(expected), 1.0, 1e-12);
 }
 
+TEST(ExactKernel, sumsFacesOfFewTexelsAsItSumsRows)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-6, 6);
+    for (int n = 0; n <= kFewExactLevel; ++n) {
+        const Level level(n);
+        std::vector<std::vector<float>> texels;
+        FewExactFaces faces;
+        faces.count = 13; // the last vector is not full
+        ExactSums expected;
+        constexpr double kCut = 5;
+        constexpr double kOffset = 2;
+        for (std::uint32_t f = 0; f < faces.count; ++f) {
+            texels.emplace_back(std::size_t{level.texelCount()} * kGroupChannels);
+            for (float& value : texels.back()) {
+                value = static_cast<float>(place(random));
+            }
+            const glm::dvec2 origin(place(random), place(random));
+            const glm::dvec2 e1(4 + place(random) / 3, place(random) / 3);
+            const glm::dvec2 e2(place(random) / 3, 4 + place(random) / 3);
+            faces.originX[f] = origin.x;
+            faces.originY[f] = origin.y;
+            faces.e1X[f] = e1.x;
+            faces.e1Y[f] = e1.y;
+            faces.e2X[f] = e2.x;
+            faces.e2Y[f] = e2.y;
+            faces.texels[f] = texels.back().data();
+            faces.stride[f] = kGroupChannels;
+            const double area = (e1.x * e2.y - e1.y * e2.x) / level.texelCount();
+            for (const TexelHalf half : {TexelHalf::Lower, TexelHalf::Upper}) {
+                addExactly({texels.back().data(), kGroupChannels},
+                           HalfLattice(half, level, origin, e1, e2),
+                           kCut,
+                           kOffset,
+                           area,
+                           expected);
+            }
+        }
+        ExactSums sums;
+        addFewExactly(faces, n, kCut, kOffset, sums);
+        EXPECT_EQ(sums.taps, expected.taps) << "level " << n;
+        EXPECT_GT(sums.taps, 0U);
+        EXPECT_NEAR(sums.weight / expected.weight, 1, 1e-13);
+        for (std::size_t c = 0; c < kGroupChannels; ++c) {
+            EXPECT_NEAR(sums.values[c], expected.values[c], 1e-12 * expected.weight);
+        }
+    }
+}
+
 TEST(Exact, keepsNaNsBeyondTheFootprintOut)
 {
     const TriangleMesh mesh = flatMesh(2, 1);
