@@ -32,6 +32,7 @@ FilterSurface FilterSurface::fromMesh(const TriangleMesh& mesh, Adjacency adjace
     }
     surface.measureLengths();
     surface.layCrossings();
+    surface.layLaneSteps();
     return surface;
 }
 
@@ -43,6 +44,7 @@ FilterSurface FilterSurface::equilateral(Adjacency adjacency)
     surface.m_adjacency = std::move(adjacency);
     surface.measureLengths();
     surface.layCrossings();
+    surface.layLaneSteps();
     return surface;
 }
 
@@ -103,6 +105,16 @@ void FilterSurface::layCrossings()
                 static_cast<std::uint32_t>(indexOf(across->face) << 2U | indexOf(across->edge));
         }
     }
+}
+
+void FilterSurface::layLaneSteps()
+{
+    m_laneSteps.resize(faceCount());
+    for (std::size_t f = 0; f < faceCount(); ++f) {
+        m_laneSteps[f].apex = m_shapes[f].e2 / m_shapes[f].e1.x;
+        m_laneSteps[f].across = m_steps[f].across;
+    }
+    measureClearance();
 }
 
 void FilterSurface::measureLengths()

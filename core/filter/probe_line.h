@@ -4,6 +4,7 @@
 #include "core/base/ids.h"
 #include "core/filter/probe_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -20,8 +21,14 @@ struct ProbeLine
     double support = 1;   ///< in steps, positive
     double weight = 1;    ///< positive
 
-    /// Probes to a side.
-    int perSide() const { return std::max(1, static_cast<int>(std::ceil(support - 0.5))); }
+    /// Whether there is a line to walk.
+    bool hasDirection() const { return step.x * step.x + step.y * step.y > 1e-30; }
+    /// Probes to a side, at most half of kRoomPerLine.
+    int perSide() const
+    {
+        constexpr int kMost = kRoomPerLine / 2;
+        return support < kMost ? std::max(1, static_cast<int>(std::ceil(support - 0.5))) : kMost;
+    }
 };
 
 /// Lines that a query may have.

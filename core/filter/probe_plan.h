@@ -31,8 +31,9 @@ inline constexpr int kLeastOfTwoLines = 8;
 /// Spacing goes with this power of the anisotropy: of many probes each matters less.
 inline constexpr double kWidening = 0.3;
 
-/// Probes a line may have, and room for as many.
+/// Probes that a line is planned to have, rounding aside, and room for more.
 inline constexpr int kMostProbes = 128;
+inline constexpr int kRoomPerLine = 1024;
 /// Longest support to a side, in edges of faces about the centre: hostile footprints end there.
 inline constexpr double kMostProbedEdges = 128.0;
 
@@ -68,7 +69,7 @@ ProbeCap probeCap(const ProbeSettings& settings);
 /// Where to probe for some queries: structure of arrays, one place a query.
 struct ProbePlans
 {
-    static constexpr std::size_t kSize = 32;
+    static constexpr std::size_t kSize = 64;
 
     alignas(64) double u[kSize]; ///< centre, inside the face; its middle where not finite
     alignas(64) double v[kSize];

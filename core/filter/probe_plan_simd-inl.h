@@ -61,7 +61,7 @@ HWY_INLINE Blend blendOf(D d, V edge2, V texel2, V wanted, double band)
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5);
     const V one = hn::Set(d, 1.0);
-    const auto clamped = [&](V x) { return hn::Min(hn::Max(x, zero), one); };
+    const auto clamped = [&](V x) HWY_ATTR { return hn::Min(hn::Max(x, zero), one); };
 
     // The levels whose blend has the variance wanted. Below the base's own it is stretched to
     // what a level beyond it would have by the rule for the others. Of 4^level = edge²/texel² the
@@ -113,7 +113,7 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5);
     const V one = hn::Set(d, 1.0);
-    const auto clamped = [&](V x) { return hn::Min(hn::Max(x, zero), one); };
+    const auto clamped = [&](V x) HWY_ATTR { return hn::Min(hn::Max(x, zero), one); };
 
     // The centre, brought inside.
     V u = hn::Load(d, in.u + at);
@@ -125,7 +125,7 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     u = hn::Div(u, outside);
     v = hn::Div(v, outside);
     const V w = hn::Sub(hn::Sub(one, u), v);
-    const auto interpolated = [&](const double(&corners)[3][PlanInputs::kSize]) {
+    const auto interpolated = [&](const double(&corners)[3][PlanInputs::kSize]) HWY_ATTR {
         return hn::MulAdd(
             w,
             hn::Load(d, corners[0] + at),
@@ -154,7 +154,8 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     w2u = hn::Mul(w2u, limit2);
     w2v = hn::Mul(w2v, limit2);
     const V widest = hn::Mul(hn::Set(d, kWidestFootprint / 2), hn::Sqrt(edge2));
-    const auto orWidest = [&](V x, V otherwise) { return hn::IfThenElse(finite, x, otherwise); };
+    const auto orWidest = [&](V x, V otherwise)
+                              HWY_ATTR { return hn::IfThenElse(finite, x, otherwise); };
     const V ax = orWidest(hn::Mul(half, hn::MulAdd(w1u, e1x, hn::Mul(w1v, e2x))), widest);
     const V ay = orWidest(hn::Mul(half, hn::Mul(w1v, e2y)), zero);
     const V bx = orWidest(hn::Mul(half, hn::MulAdd(w2u, e1x, hn::Mul(w2v, e2x))), zero);

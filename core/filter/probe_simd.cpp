@@ -7,6 +7,7 @@
 
 #include "core/filter/probe_simd.h"
 
+#include "core/filter/probe_lanes_simd-inl.h"
 #include "core/filter/probe_plan_simd-inl.h"
 #include "core/filter/probe_sum_simd-inl.h"
 #include "core/filter/query_filter.h"
@@ -18,30 +19,39 @@
 HWY_BEFORE_NAMESPACE();
 namespace trixel::HWY_NAMESPACE {
 
-/// The probes of one line and what they read.
-struct LineWork
+/// What the probes of one line read.
+struct LineReads
 {
-    ProbeList list;
     Reads fine, coarse;
     TexelReads texels;
     float weight = 0; ///< of all probes, that of the line aside
 };
 
 /// The lines of one query.
-struct QueryWork
+struct QueryLines
 {
-    std::size_t first = 0, count = 0; ///< lines
-    float coarseShare = 0;            ///< of the coarser level
-    int fineLevel = 0;
+    std::size_t first = 0, count = 0;
+    float coarse = 0; ///< weight of the coarser level
+    int fine = 0;     ///< number of the finer level
 };
 
-/// Room for one block of queries and for those of them at work.
+/// Queries whose reads are asked for together.
+constexpr std::size_t kReadTogether = 4;
+
+/// Room for one block of queries.
 struct Workspace
 {
     PlanInputs inputs;
     ProbePlans plans;
-    ProbeLine lines[kWalkedTogether];
-    LineWork works[kWalkedTogether];
+    QueryLines queries[ProbePlans::kSize];
+    ProbeLine lines[WalkLines::kSize];
+    ProbeRange ranges[WalkLines::kSize]; ///< of the lines
+    WalkLines walked;
+    std::size_t lineOf[WalkLines::kSize]; ///< that is walked
+    SideLanes sides;
+    Pieces pieces;
+    ProbeArrays probes;
+    LineReads reads[kReadTogether * kMostLines];
 };
 
 void gatherInputs(const FilterScene& scene,
@@ -70,25 +80,28 @@ void gatherInputs(const FilterScene& scene,
     }
 }
 
-/// Where the probes of a line find a group of channels.
+/// Where a probe finds a group of channels.
 HWY_INLINE const float*
-valuesOf(const FilterScene& scene, const ProbeList& list, std::size_t k, int group)
+valuesOf(const FilterScene& scene, const Workspace& work, int fine, std::size_t probe, int group)
 {
     if (group == 0) {
-        return list.values[k];
+        return work.probes.values[probe];
     }
-    const Level level = std::min(Level(list.fine), scene.level(list.face[k]));
-    return scene.pyramid().vertices(list.face[k], level, group).values;
+    const FaceId face = work.probes.face[probe];
+    return scene.pyramid().vertices(face, std::min(Level(fine), scene.level(face)), group).values;
 }
 
 /// Adds the texels that the probes of a line read.
-HWY_INLINE void
-addTexels(const FilterScene& scene, const LineWork& work, int group, ChannelSum& sum)
+HWY_INLINE void addTexels(const FilterScene& scene,
+                          const Workspace& work,
+                          const ProbeRange& range,
+                          const TexelReads& texels,
+                          int group,
+                          ChannelSum& sum)
 {
-    const TexelReads& texels = work.texels;
-    for (std::size_t k = 0; k < work.list.count; ++k) {
+    for (std::size_t k = 0; k < range.count; ++k) {
         if (texels.ownWeight[k] > 0 || texels.otherWeight[k] > 0) {
-            const FaceId face = work.list.face[k];
+            const FaceId face = work.probes.face[range.first + k];
             const LevelTexels base = scene.mips().texels(face, scene.level(face), group);
             sum.add(base.texel(TexelIndex{texels.own[k]}), texels.ownWeight[k]);
             sum.add(base.texel(TexelIndex{texels.other[k]}), texels.otherWeight[k]);
@@ -97,53 +110,55 @@ addTexels(const FilterScene& scene, const LineWork& work, int group, ChannelSum&
 }
 
 /// Sums the probes of one query for one group of channels.
+/// \param reads  of the query's lines
 HWY_INLINE void sumProbes(const FilterScene& scene,
-                          const QueryWork& query,
-                          const LineWork* works,
-                          const ProbeLine* lines,
+                          const Workspace& work,
+                          const QueryLines& query,
+                          const LineReads* reads,
                           int group,
                           float* value)
 {
-    const bool blended = query.coarseShare > 0;
-    const float* origin = valuesOf(scene, works[0].list, 0, group) + works[0].fine.pair[0];
+    const std::size_t some = work.ranges[query.first].first;
+    const float* origin = valuesOf(scene, work, query.fine, some, group) + reads[0].fine.pair[0];
     ChannelSum sum(origin);
     float weight = 0;
     for (std::size_t l = 0; l < query.count; ++l) {
-        const LineWork& work = works[l];
-        const ProbeList& list = work.list;
+        const ProbeRange& range = work.ranges[query.first + l];
         ChannelSum fine(origin);
         ChannelSum coarse(origin);
-        for (std::size_t k = 0; k < list.count; ++k) {
-            const float* values = valuesOf(scene, list, k, group);
-            fine.add(values, work.fine, k);
-            if (blended) {
-                coarse.add(values, work.coarse, k);
+        for (std::size_t k = 0; k < range.count; ++k) {
+            const float* values = valuesOf(scene, work, query.fine, range.first + k, group);
+            fine.add(values, reads[l].fine, k);
+            if (query.coarse > 0) {
+                coarse.add(values, reads[l].coarse, k);
             }
         }
-        if (work.texels.count > 0) {
-            addTexels(scene, work, group, fine);
+        if (reads[l].texels.count > 0) {
+            addTexels(scene, work, range, reads[l].texels, group, fine);
         }
-        const auto ofLine = static_cast<float>(lines[l].weight);
+        const auto ofLine = static_cast<float>(work.lines[query.first + l].weight);
         sum.addSums(fine, coarse, ofLine);
-        weight += ofLine * work.weight;
+        weight += ofLine * reads[l].weight;
     }
     sum.store(1 / weight, value);
 }
 
 /// Finds out what a line reads, and asks the caches for it.
 HWY_INLINE void
-prepareLine(const ProbeLine& line, double falloff, float coarseShare, LineWork& work)
+prepareLine(Workspace& work, std::size_t line, double falloff, float coarse, LineReads& reads)
 {
-    Reads& fine = work.fine;
-    work.weight = findReads(work.list, line.support, falloff, coarseShare, fine, work.coarse);
-    findTexels(work.list, coarseShare, {fine.first, fine.second, fine.third}, work.texels);
-    for (std::size_t p = 0; p < work.list.count; ++p) {
-        const float* values = work.list.values[p];
-        hwy::Prefetch(values + work.fine.pair[p]);
-        hwy::Prefetch(values + work.fine.single[p]);
-        if (coarseShare > 0) {
-            hwy::Prefetch(values + work.coarse.pair[p]);
-            hwy::Prefetch(values + work.coarse.single[p]);
+    const ProbeRange& range = work.ranges[line];
+    const double support = work.lines[line].support;
+    Reads& fine = reads.fine;
+    reads.weight = findReads(work.probes, range, support, falloff, coarse, fine, reads.coarse);
+    findTexels(work.probes, range, coarse, {fine.first, fine.second, fine.third}, reads.texels);
+    for (std::size_t p = 0; p < range.count; ++p) {
+        const float* values = work.probes.values[range.first + p];
+        hwy::Prefetch(values + reads.fine.pair[p]);
+        hwy::Prefetch(values + reads.fine.single[p]);
+        if (coarse > 0) {
+            hwy::Prefetch(values + reads.coarse.pair[p]);
+            hwy::Prefetch(values + reads.coarse.single[p]);
         }
     }
 }
@@ -151,8 +166,9 @@ prepareLine(const ProbeLine& line, double falloff, float coarseShare, LineWork& 
 void finishQuery(const FilterScene& scene,
                  const FilterQueries& queries,
                  std::size_t q,
-                 const QueryWork& query,
                  const Workspace& work,
+                 const QueryLines& query,
+                 const LineReads* reads,
                  const FilterResults& results)
 {
     const FaceId face = queries.face[q];
@@ -160,22 +176,17 @@ void finishQuery(const FilterScene& scene,
     for (int group = 0; group < scene.mips().groups(); ++group) {
         GroupValue value;
         if (hasCentre) {
-            sumProbes(scene,
-                      query,
-                      work.works + query.first,
-                      work.lines + query.first,
-                      group,
-                      value.data());
+            sumProbes(scene, work, query, reads, group, value.data());
         } else {
             std::copy_n(scene.mips().average(face, group), kGroupChannels, value.begin());
         }
         storeAnswer(results, q, group, scene.channels(), value);
     }
-    const int level = std::min(query.fineLevel, scene.level(face).log2());
+    const int level = std::min(query.fine, scene.level(face).log2());
     std::size_t taps = 0;
-    for (std::size_t l = query.first; l < query.first + query.count; ++l) {
-        const LineWork& line = work.works[l];
-        taps += line.list.count * (query.coarseShare > 0 ? 6 : 3) + line.texels.count;
+    for (std::size_t l = 0; l < query.count; ++l) {
+        taps +=
+            work.ranges[query.first + l].count * (query.coarse > 0 ? 6 : 3) + reads[l].texels.count;
     }
     storeCost(results,
               q,
@@ -183,42 +194,141 @@ void finishQuery(const FilterScene& scene,
                         : QueryCost{0, 1});
 }
 
-/// Answers as many queries of a block as lines are walked together; returns how many.
-std::size_t filterSome(const FilterScene& scene,
-                       const FilterQueries& queries,
-                       std::size_t begin,
-                       std::size_t first,
-                       std::size_t end,
-                       double falloff,
-                       const FilterResults& results,
-                       Workspace& work)
+/// Tells where the probes of the pieces are.
+void fillPieces(const FilterScene& scene, Workspace& work)
 {
-    QueryWork some[kWalkedTogether];
-    ProbeList* lists[kWalkedTogether];
+    const hn::ScalableTag<double> d;
+    const hn::Rebind<std::int64_t, decltype(d)> di;
+    const hn::Rebind<std::int32_t, decltype(d)> dn;
+    const Pieces& pieces = work.pieces;
+    ProbeArrays& to = work.probes;
+    for (std::size_t k = 0; k < pieces.count; ++k) {
+        const auto face = faceId(static_cast<std::size_t>(pieces.face[k]));
+        const auto id = static_cast<std::size_t>(pieces.id[k]);
+        const ProbeRange& range = work.ranges[work.lineOf[id >> 16 & 0xFFFF]];
+        const ConformingPyramid::Finest finest = scene.pyramid().finest(face, Level(range.fine));
+        std::size_t at = (id & 0xFFFF) + static_cast<std::size_t>(pieces.begin[k]);
+        const auto count = static_cast<std::size_t>(pieces.end[k] - pieces.begin[k]);
+        const auto perU = hn::Set(d, pieces.perU[k]);
+        const auto perV = hn::Set(d, pieces.perV[k]);
+        const auto scale = hn::Set(d, double(finest.level.resolution()));
+        const auto values = hn::Set(di, reinterpret_cast<std::int64_t>(finest.values));
+        const auto stride = hn::Set(dn, static_cast<std::int32_t>(finest.stride));
+        auto step = hn::Iota(d, 0);
+        for (std::size_t left = count; left > 0;) {
+            const std::size_t some = std::min(left, hn::Lanes(d));
+            const auto mask = hn::FirstN(d, some);
+            const auto u = hn::MulAdd(step, perU, hn::Set(d, pieces.u[k]));
+            const auto v = hn::MulAdd(step, perV, hn::Set(d, pieces.v[k]));
+            hn::BlendedStore(u, mask, d, to.u + at);
+            hn::BlendedStore(v, mask, d, to.v + at);
+            hn::BlendedStore(scale, mask, d, to.scale + at);
+            hn::BlendedStore(values,
+                             hn::RebindMask(di, mask),
+                             di,
+                             reinterpret_cast<std::int64_t*>(to.values + at));
+            hn::BlendedStore(stride, hn::FirstN(dn, some), dn, to.stride + at);
+            for (std::size_t p = at; p < at + some; ++p) {
+                to.face[p] = face;
+            }
+            step = hn::Add(step, hn::Set(d, double(hn::Lanes(d))));
+            at += some;
+            left -= some;
+        }
+    }
+}
+
+/// Places and shares of the probes of a line that no border cuts, for whole registers.
+void layPlaces(std::size_t first, int perSide, ProbeArrays& probes)
+{
+    for (int way = 0; way < 2; ++way) {
+        for (int k = 0; k < perSide; ++k, ++first) {
+            probes.place[first] = static_cast<float>(k) + 0.5F;
+            probes.share[first] = 1;
+        }
+    }
+}
+
+/// Places the probes of as many queries of a block as there is room for; returns how many.
+std::size_t placeSome(const FilterScene& scene,
+                      const FilterQueries& queries,
+                      std::size_t begin,
+                      std::size_t first,
+                      std::size_t end,
+                      Workspace& work)
+{
+    constexpr std::size_t kMostPerLine = kRoomPerLine + HWY_MAX_BYTES / sizeof(double);
+    const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
     std::size_t lines = 0;
+    std::size_t probes = 0;
     std::size_t count = 0;
-    for (; first + count < end && lines + kMostLines <= kWalkedTogether; ++count) {
+    work.walked.count = 0;
+    for (; first + count < end && lines + kMostLines <= WalkLines::kSize &&
+           probes + kMostLines * kMostPerLine <= ProbeArrays::kSize;
+         ++count) {
         const std::size_t plan = first + count;
-        QueryWork& query = some[count];
+        QueryLines& query = work.queries[count];
         query.first = lines;
         query.count = linesOf(work.plans, plan, queries.face[begin + plan], work.lines + lines);
-        query.coarseShare = static_cast<float>(work.plans.coarse[plan]);
-        query.fineLevel = static_cast<int>(work.plans.fine[plan]);
+        query.coarse = static_cast<float>(work.plans.coarse[plan]);
+        query.fine = static_cast<int>(work.plans.fine[plan]);
         for (std::size_t l = 0; l < query.count; ++l, ++lines) {
-            lists[lines] = &work.works[lines].list;
-            lists[lines]->fine = query.fineLevel;
+            const ProbeLine& line = work.lines[lines];
+            ProbeRange& range = work.ranges[lines];
+            range = {probes, 0, query.fine};
+            if (line.hasDirection()) {
+                const int perSide = line.perSide();
+                range.count = 2 * static_cast<std::size_t>(perSide);
+                layPlaces(probes, perSide, work.probes);
+                work.lineOf[work.walked.count] = lines;
+                work.walked.add(line, perSide, probes);
+            } else {
+                range.count = placeProbes(scene, line, query.fine, probes, work.probes);
+            }
+            probes += (range.count + lanes - 1) / lanes * lanes;
         }
     }
-    placeProbes(scene, std::span(work.lines, lines), std::span(lists, lines));
-    for (std::size_t k = 0; k < count; ++k) {
-        for (std::size_t l = some[k].first; l < some[k].first + some[k].count; ++l) {
-            prepareLine(work.lines[l], falloff, some[k].coarseShare, work.works[l]);
+    LineWalker(scene.surface(), work.walked, work.sides, work.pieces).walk();
+    fillPieces(scene, work);
+    for (std::size_t k = 0; k < work.walked.count; ++k) {
+        if (work.walked.isCut[k]) {
+            const std::size_t line = work.lineOf[k];
+            ProbeRange& range = work.ranges[line];
+            range.count =
+                placeProbes(scene, work.lines[line], range.fine, range.first, work.probes);
         }
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        finishQuery(scene, queries, begin + first + k, some[k], work, results);
     }
     return count;
+}
+
+/// Answers queries whose probes are placed.
+void finishSome(const FilterScene& scene,
+                const FilterQueries& queries,
+                std::size_t begin,
+                std::size_t count,
+                double falloff,
+                const FilterResults& results,
+                Workspace& work)
+{
+    for (std::size_t first = 0; first < count; first += kReadTogether) {
+        const std::size_t some = std::min(kReadTogether, count - first);
+        for (std::size_t k = 0; k < some; ++k) {
+            const QueryLines& query = work.queries[first + k];
+            for (std::size_t l = 0; l < query.count; ++l) {
+                prepareLine(
+                    work, query.first + l, falloff, query.coarse, work.reads[k * kMostLines + l]);
+            }
+        }
+        for (std::size_t k = 0; k < some; ++k) {
+            finishQuery(scene,
+                        queries,
+                        begin + first + k,
+                        work,
+                        work.queries[first + k],
+                        work.reads + k * kMostLines,
+                        results);
+        }
+    }
 }
 
 void filterBlock(const FilterScene& scene,
@@ -232,7 +342,9 @@ void filterBlock(const FilterScene& scene,
         gatherInputs(scene, queries, begin, count, work.inputs);
         planAll(work.inputs, count, settings, work.plans);
         for (std::size_t done = 0; done < count;) {
-            done += filterSome(scene, queries, begin, done, count, settings.falloff, results, work);
+            const std::size_t some = placeSome(scene, queries, begin, done, count, work);
+            finishSome(scene, queries, begin + done, some, settings.falloff, results, work);
+            done += some;
         }
     }
 }

@@ -24,11 +24,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// lattice and one in the row above or below.
 struct Reads
 {
-    alignas(64) std::int32_t pair[ProbeList::kRoom]; ///< floats from the probe's values
-    alignas(64) std::int32_t single[ProbeList::kRoom];
-    alignas(64) float first[ProbeList::kRoom]; ///< weights of the pair's first and second
-    alignas(64) float second[ProbeList::kRoom];
-    alignas(64) float third[ProbeList::kRoom];
+    static constexpr std::size_t kRoom = kRoomPerLine + 64;
+
+    alignas(64) std::int32_t pair[kRoom]; ///< floats from the probe's values
+    alignas(64) std::int32_t single[kRoom];
+    alignas(64) float first[kRoom]; ///< weights of the pair's first and second
+    alignas(64) float second[kRoom];
+    alignas(64) float third[kRoom];
 };
 
 using DD = hn::ScalableTag<double>;
@@ -78,54 +80,61 @@ storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k
 
 /// Fills reads at both levels; returns the sum of the weights.
 /// \param c  falloff of the weights, see `ProbeLine`
-HWY_INLINE float findReads(
-    ProbeList& list, double support, double c, float coarse, Reads& fineReads, Reads& coarseReads)
+HWY_INLINE float findReads(ProbeArrays& probes,
+                           const ProbeRange& range,
+                           double support,
+                           double c,
+                           float coarse,
+                           Reads& fineReads,
+                           Reads& coarseReads)
 {
     const DD dd;
     const DF d;
     const DI di;
     const std::size_t lanes = hn::Lanes(dd);
-    for (std::size_t k = list.count; k < list.count + lanes; ++k) { // a register may read on
-        list.u[k] = list.v[k] = 0;
-        list.scale[k] = 1;
-        list.place[k] = list.share[k] = 0;
-        list.stride[k] = 0;
+    for (std::size_t k = range.first + range.count; k % lanes != 0; ++k) { // of the last register
+        probes.u[k] = probes.v[k] = 0;
+        probes.scale[k] = 1;
+        probes.place[k] = probes.share[k] = 0;
+        probes.stride[k] = 0;
     }
-    const int coarser = std::max(list.fine - 1, 0);
+    const int coarser = std::max(range.fine - 1, 0);
     const auto begin = [](int level) {
         return static_cast<std::int32_t>(ConformingPyramid::levelBegin(Level(level)) /
                                          kGroupChannels);
     };
-    const VI below = hn::Set(di, begin(list.fine) - begin(coarser));
-    const VI fineResolution = hn::Set(di, static_cast<std::int32_t>(Level(list.fine).resolution()));
+    const VI below = hn::Set(di, begin(range.fine) - begin(coarser));
+    const VI fineResolution =
+        hn::Set(di, static_cast<std::int32_t>(Level(range.fine).resolution()));
     const VF perSupport = hn::Set(d, static_cast<float>(1 / support));
     const VF falloff = hn::Set(d, static_cast<float>(-c));
     const VF pedestal = hn::Set(d, static_cast<float>(std::exp(-c)));
 
     VF total = hn::Zero(d);
-    for (std::size_t k = 0; k < list.count; k += lanes) {
-        const VF x = hn::Mul(hn::Load(d, list.place + k), perSupport);
+    for (std::size_t k = 0; k < range.count; k += lanes) {
+        const std::size_t p = range.first + k;
+        const VF x = hn::Mul(hn::Load(d, probes.place + p), perSupport);
         const VF bell = hn::Sub(hn::Exp(d, hn::Mul(falloff, hn::Mul(x, x))), pedestal);
         // Never nothing: at a border one probe may be all there is.
-        const VF weight = hn::Mul(hn::Max(bell, hn::Set(d, 1e-6F)), hn::Load(d, list.share + k));
+        const VF weight = hn::Mul(hn::Max(bell, hn::Set(d, 1e-6F)), hn::Load(d, probes.share + p));
         total = hn::Add(total, weight);
 
-        const auto scale = hn::Load(dd, list.scale + k);
-        const auto u = hn::Mul(hn::Load(dd, list.u + k), scale);
-        const auto v = hn::Mul(hn::Load(dd, list.v + k), scale);
+        const auto scale = hn::Load(dd, probes.scale + p);
+        const auto u = hn::Mul(hn::Load(dd, probes.u + p), scale);
+        const auto v = hn::Mul(hn::Load(dd, probes.v + p), scale);
         LatticeLanes at;
         at.resolution = hn::DemoteTo(di, scale);
         const VI last = hn::Sub(at.resolution, hn::Set(di, 1));
         const VI none = hn::Zero(di);
         at.i = hn::Min(hn::Max(hn::DemoteTo(di, u), none), last);
         at.j = hn::Min(hn::Max(hn::DemoteTo(di, v), none), hn::Sub(last, at.i));
-        const auto inCell = [&](auto place, VI cell) {
+        const auto inCell = [&](auto place, VI cell) HWY_ATTR {
             const VF fraction = hn::DemoteTo(d, hn::Sub(place, hn::PromoteTo(dd, cell)));
             return hn::Min(hn::Max(fraction, hn::Zero(d)), hn::Set(d, 1.0F));
         };
         at.x = inCell(u, at.i);
         at.y = inCell(v, at.j);
-        const VI stride = hn::Load(di, list.stride + k);
+        const VI stride = hn::Load(di, probes.stride + p);
         // A face that is coarser than the fine level has one level to read.
         const auto isBlended = hn::RebindMask(d, hn::Eq(at.resolution, fineResolution));
         const VF share = hn::IfThenElseZero(isBlended, hn::Set(d, coarse));
@@ -171,9 +180,8 @@ public:
         const V4 third = hn::Set(d, reads.third[k]);
         for (std::size_t p = 0; p < kParts; ++p) {
             const std::size_t c = p * hn::Lanes(d);
-            const auto off = [&](const float* value) {
-                return hn::Sub(hn::LoadU(d, value + c), m_origin[p]);
-            };
+            const auto off = [&](const float* value)
+                                 HWY_ATTR { return hn::Sub(hn::LoadU(d, value + c), m_origin[p]); };
             V4 sum = hn::MulAdd(first, off(pair), m_sum[p]);
             sum = hn::MulAdd(second, off(pair + kGroupChannels), sum);
             m_sum[p] = hn::MulAdd(third, off(single), sum);

@@ -73,22 +73,29 @@ void shareOut(const TexelCell& cell,
 
 } // namespace
 
-void findTexels(const ProbeList& list, float coarse, VertexWeights weights, TexelReads& reads)
+void findTexels(const ProbeArrays& probes,
+                const ProbeRange& range,
+                float coarse,
+                VertexWeights weights,
+                TexelReads& reads)
 {
+    const double* scales = probes.scale + range.first;
+    const double* u = probes.u + range.first;
+    const double* v = probes.v + range.first;
     reads.count = 0;
-    const double fine = Level(list.fine).resolution();
+    const double fine = Level(range.fine).resolution();
     bool any = false;
-    for (std::size_t k = 0; k < list.count; ++k) {
-        any |= list.scale[k] < fine;
+    for (std::size_t k = 0; k < range.count; ++k) {
+        any |= scales[k] < fine;
     }
     if (!any) {
         return;
     }
-    for (std::size_t k = 0; k < list.count; ++k) {
-        if (list.scale[k] < fine) {
-            const auto resolution = static_cast<std::int32_t>(list.scale[k]);
-            const float share = 2 * list.scale[k] < fine ? 1.0F : 1.0F - coarse;
-            shareOut(cellAt({list.u[k], list.v[k]}, resolution),
+    for (std::size_t k = 0; k < range.count; ++k) {
+        if (scales[k] < fine) {
+            const auto resolution = static_cast<std::int32_t>(scales[k]);
+            const float share = 2 * scales[k] < fine ? 1.0F : 1.0F - coarse;
+            shareOut(cellAt({u[k], v[k]}, resolution),
                      share,
                      {weights.first + k, weights.second + k, weights.third + k},
                      reads,

@@ -19,10 +19,12 @@ namespace trixel {
 /// Two texels of the base that a probe reads, and how much they count; nothing: it reads none.
 struct TexelReads
 {
-    alignas(64) std::uint32_t own[ProbeList::kRoom]; ///< packed order
-    alignas(64) std::uint32_t other[ProbeList::kRoom];
-    alignas(64) float ownWeight[ProbeList::kRoom];
-    alignas(64) float otherWeight[ProbeList::kRoom];
+    static constexpr std::size_t kRoom = kRoomPerLine + 64;
+
+    alignas(64) std::uint32_t own[kRoom]; ///< packed order
+    alignas(64) std::uint32_t other[kRoom];
+    alignas(64) float ownWeight[kRoom];
+    alignas(64) float otherWeight[kRoom];
     std::size_t count = 0; ///< texels that are read
 };
 
@@ -35,10 +37,13 @@ struct VertexWeights
     float* third;
 };
 
-/// Finds the texels of the probes whose face is coarser than the list's fine level, and takes from
-/// their vertices what the texels get.
-/// \param coarse   weight of the level below the fine one, which the base of a face may be
-/// \param weights  of the base's vertices; changed
-void findTexels(const ProbeList& list, float coarse, VertexWeights weights, TexelReads& reads);
+/// Finds the texels of the probes of a line whose face is coarser than its fine level, and takes
+/// from their vertices what the texels get. \param coarse   weight of the level below the fine one,
+/// which the base of a face may be \param weights  of the base's vertices; changed
+void findTexels(const ProbeArrays& probes,
+                const ProbeRange& range,
+                float coarse,
+                VertexWeights weights,
+                TexelReads& reads);
 
 } // namespace trixel
