@@ -20,6 +20,7 @@ void prepareApplication()
     QCoreApplication::setOrganizationName("Trixel");
     QCoreApplication::setApplicationName("Trixel");
     QCoreApplication::setApplicationVersion(TRIXEL_VERSION);
+    QGuiApplication::setDesktopFileName("trixel"); // whose icon the desktop shows
 }
 
 void setUpApplication(QApplication& /*application*/)
