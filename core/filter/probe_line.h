@@ -11,15 +11,15 @@
 
 namespace trixel {
 
-/// Probes in a straight row over the surface: at (k + ½) steps either way from a centre, each of
-/// the weight exp(-c x²) - exp(-c), x = (k + ½) / support, times that of the row.
+/// Probes in a straight row over the surface: at (k + ½) steps either way from a centre, with
+/// weights in proportion to exp(-c x²) - exp(-c), x = (k + ½) / support.
 struct ProbeLine
 {
     FaceId face{};
     glm::dvec2 centre{0}; ///< inside the face
     glm::dvec2 step{0};   ///< in (u,v) of the face; near nothing: one probe, at the centre
     double support = 1;   ///< in steps, positive
-    double weight = 1;    ///< positive
+    double share = 1;     ///< of the answer, positive
 
     /// Whether there is a line to walk.
     bool hasDirection() const { return step.x * step.x + step.y * step.y > 1e-30; }
@@ -34,7 +34,7 @@ struct ProbeLine
 /// Lines that a query may have.
 inline constexpr std::size_t kMostLines = 2;
 
-/// The lines of one query of the plans: one, or two that cross in its centre.
+/// The lines of one query of the plans: one along the major axis, or one along either.
 /// \param lines  room for kMostLines
 /// \return       how many
 inline std::size_t
@@ -42,11 +42,14 @@ linesOf(const ProbePlans& plans, std::size_t index, FaceId face, ProbeLine* line
 {
     const glm::dvec2 centre(plans.u[index], plans.v[index]);
     const glm::dvec2 step(plans.stepU[index], plans.stepV[index]);
-    const glm::dvec2 side(plans.sideU[index], plans.sideV[index]);
-    const double support = plans.support[index];
-    lines[0] = {face, centre, step + side, support, 1.0};
-    lines[1] = {face, centre, step - side, support, 1.0};
-    return side == glm::dvec2(0) ? 1 : 2;
+    const double share = plans.crossShare[index];
+    lines[0] = {face, centre, step, plans.support[index], 1 - share};
+    if (share == 0) {
+        return 1;
+    }
+    const glm::dvec2 cross(plans.crossU[index], plans.crossV[index]);
+    lines[1] = {face, centre, cross, plans.crossSupport[index], share};
+    return 2;
 }
 
 } // namespace trixel

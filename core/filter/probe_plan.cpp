@@ -26,9 +26,9 @@ ProbeSettings probeSettings(int most, double band)
     ProbeSettings settings;
     settings.band = band;
     settings.most = most;
-    settings.spacing = 2.6 - 0.22 * doublings;
-    settings.falloff = std::max(doublings * doublings / 9, 1.0);
-    settings.apart = most >= kLeastOfTwoLines ? kApart : 0;
+    settings.spacing = 3.0 - 0.3 * doublings;
+    settings.falloff = std::max(0.8 * (doublings - 1), 1.0);
+    settings.across = most >= kLeastOfTwoLines ? kAcrossShare : 0;
     settings.support = supportInSigmas(settings.falloff);
     return settings;
 }

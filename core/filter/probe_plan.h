@@ -12,20 +12,23 @@ namespace trixel {
 /// A probe blurs alike in all directions; what the footprint is longer than that along its major
 /// axis is left to the weights. One blur of its width would do across, too, but it would be a poor
 /// Gaussian: it depends on where in a texel it lies, and midway between two levels it has too sharp
-/// a peak and too wide a foot. So a footprint that is not much longer than wide gets sharper probes
-/// on two lines that cross in its centre. The lines turn towards each other as it gets longer,
-/// where the sum along the line makes up for all that, and become one where it has kOneLine times
-/// its width.
+/// a peak and too wide a foot. So footprints that are not much longer than wide get sharper probes,
+/// and a second, short line of them along the minor axis that makes up for what each lacks. Its
+/// share falls as they get longer, where the sum along the line evens all that out.
 ///
 /// Everything changes continuously with the footprint, and weights are 0 where the number of probes
-/// changes: nothing pops.
+/// changes: nothing pops. Lines run along the axes, so that they stay where they are when only the
+/// lengths of the axes change, and do not sweep over vertices, where a surface that is not flat
+/// tears.
 ///
-/// What two lines spread across, in sigmas of the minor axis, of round footprints.
-inline constexpr double kApart = 0.57;
+/// Share that the line across has of the answer for round footprints.
+inline constexpr double kAcrossShare = 0.4;
+/// Variance of its weights, as a fraction of that of the minor axis.
+inline constexpr double kAcrossVariance = 0.8;
 /// Anisotropy from which on one line is enough.
-inline constexpr double kOneLine = 4.0;
-/// A circle has no direction for lines: below this anisotropy they shrink to its centre.
-inline constexpr double kDirected = 1.05;
+inline constexpr double kOneLine = 3.0;
+/// A circle has no axes for lines: below this anisotropy they shrink to its centre.
+inline constexpr double kDirected = 1.09;
 /// Fewer probes than this are not worth a second line.
 inline constexpr int kLeastOfTwoLines = 8;
 /// Spacing goes with this power of the anisotropy: of many probes each matters less.
@@ -46,7 +49,7 @@ struct ProbeSettings
                         ///< one probe's blur
     double falloff = 0; ///< c
     double support = 0; ///< in sigmas of the weights
-    double apart = 0;   ///< kApart; 0: always one line
+    double across = 0;  ///< kAcrossShare; 0: always one line
 };
 
 /// Few probes are spent best far apart and with weights that end while they are still large, many
@@ -75,13 +78,14 @@ struct ProbePlans
     alignas(64) double v[kSize];
     alignas(64) double stepU[kSize]; ///< in (u,v) of the face
     alignas(64) double stepV[kSize];
-    alignas(64) double sideU[kSize]; ///< by which two lines' steps differ from that, one to either
-                                     ///< side; nothing: one line
-    alignas(64) double sideV[kSize];
     alignas(64) double support[kSize]; ///< in steps
-    alignas(64) double fine[kSize];    ///< number of the finer level; one beyond a face's own
-                                       ///< means the detail of its texels
-    alignas(64) double coarse[kSize];  ///< weight of the coarser level, in [0, 1]
+    alignas(64) double crossU[kSize];  ///< the same of the line across
+    alignas(64) double crossV[kSize];
+    alignas(64) double crossSupport[kSize];
+    alignas(64) double crossShare[kSize]; ///< of the answer; 0: there is no such line
+    alignas(64) double fine[kSize];       ///< number of the finer level; one beyond a face's own
+                                          ///< means the detail of its texels
+    alignas(64) double coarse[kSize];     ///< weight of the coarser level, in [0, 1]
 };
 
 } // namespace trixel

@@ -102,6 +102,33 @@ HWY_INLINE Blend blendOf(D d, V edge2, V texel2, V wanted, double band)
             variance};
 }
 
+/// Probes on a line.
+struct Line
+{
+    V step;    ///< from probe to probe, in the plane; 0: they are all one
+    V support; ///< in steps
+};
+
+/// \param variance  of the weights along the line
+/// \param minor     variance, beside which little is nothing
+/// \param spacing   largest step
+HWY_INLINE Line
+lineOf(D d, V variance, V minor, V spacing, const ProbeSettings& settings, const ProbeCap& cap)
+{
+    const V one = hn::Set(d, 1.0);
+    // Little is let go of, smoothly, because roots of little change fast.
+    const V negligible = hn::Mul(minor, hn::Set(d, 0.01));
+    const V sigma = hn::Div(variance, hn::Sqrt(hn::Add(variance, negligible)));
+    const V support = hn::Mul(sigma, hn::Set(d, settings.support));
+    // Two probes one sigma from the centre have the variance to a hair; closer than that the
+    // spacing shrinks instead of the number.
+    const V spaced = hn::Min(spacing, hn::Add(sigma, sigma));
+    const V step = hn::Max(spaced, hn::Mul(support, hn::Set(d, cap.shortestStep)));
+    const auto isStep = hn::Gt(step, hn::Zero(d));
+    const V steps = hn::Div(support, hn::IfThenElse(isStep, step, one));
+    return {step, hn::IfThenElse(isStep, steps, one)};
+}
+
 /// Everything as in `queryEllipse` and `levelBlend`, for the lanes of one register.
 HWY_INLINE void planLanes(const PlanInputs& in,
                           std::size_t at,
@@ -192,58 +219,46 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     major = hn::Mul(major, hn::Sqrt(hn::Sqrt(hn::Sqrt(lack))));
     minor = hn::Max(minor, hn::Mul(hn::Set(d, cap.thinnest), major));
 
-    // What two lines spread across is taken from the blur.
+    // What a line across spreads is taken from the blur.
     const V anisotropy = hn::Sqrt(hn::Div(major, minor));
     const V shorter =
         clamped(hn::Mul(hn::Sub(hn::Set(d, kOneLine), anisotropy), hn::Set(d, 1 / (kOneLine - 1))));
     const V directed = clamped(hn::Mul(hn::Sub(anisotropy, one), hn::Set(d, 1 / (kDirected - 1))));
-    const V apart = hn::Mul(hn::Set(d, settings.apart), hn::Mul(shorter, directed));
-    const V across = hn::Mul(minor, hn::Mul(apart, apart));
+    const V share = hn::Mul(hn::Set(d, settings.across), hn::Mul(shorter, shorter));
+    const V across = hn::Mul(hn::Mul(hn::Set(d, kAcrossVariance), minor), hn::Mul(share, directed));
 
     const Blend blend = blendOf(d, edge2, texel2, hn::Sub(minor, across), settings.band);
     const V variance = blend.variance;
 
-    // The probes make up for what the blur lacks of the ellipse: along the major axis and, as far
-    // as two lines spread them, along the minor one. Not beyond that: a round footprint has no
-    // direction, and one that is round but for rounding must not get a random one. Little of it is
-    // let go of, smoothly, because roots of little change fast.
-    const V along = hn::Max(hn::Sub(major, hn::Max(variance, minor)), zero);
+    // The probes make up for what the blur lacks of the ellipse: along the major axis and, up to
+    // half as much again as the line across was meant to, along the minor one: one level may blur
+    // less than was wanted. Not beyond that: a round footprint has no direction, and one that is
+    // round but for rounding must not get a random one.
+    const V longer = hn::Max(hn::Sub(major, hn::Max(variance, minor)), zero);
     const V lacking = hn::Max(hn::Sub(minor, variance), zero);
-    const V spread = hn::Min(lacking, hn::Add(across, across));
-    const V residue = hn::Add(along, hn::Add(spread, spread));
-    const V negligible = hn::Mul(minor, hn::Set(d, 0.01));
-    const V rest = hn::Div(residue, hn::Sqrt(hn::Add(residue, negligible)));
-
-    // Two probes one sigma from the centre have the variance to a hair; closer than that the
-    // spacing shrinks instead of the number.
-    const V support = hn::Mul(rest, hn::Set(d, settings.support));
+    const V spread = hn::Min(lacking, hn::Mul(across, hn::Set(d, 1.5)));
+    const auto isCross = hn::Gt(share, zero);
+    const V mainVariance = hn::Div(hn::Add(longer, spread), hn::Sub(one, share));
+    const V crossVariance = hn::Div(spread, hn::IfThenElse(isCross, share, one));
     const V wider = hn::Exp(d, hn::Mul(hn::Log(d, anisotropy), hn::Set(d, kWidening)));
     const V spacing = hn::Mul(hn::Mul(hn::Set(d, settings.spacing), wider), hn::Sqrt(variance));
-    const V spaced = hn::Min(spacing, hn::Add(rest, rest));
-    const V step = hn::Max(spaced, hn::Mul(support, hn::Set(d, cap.shortestStep)));
-    const auto isStep = hn::Gt(step, zero);
-    const V steps = hn::Div(support, hn::IfThenElse(isStep, step, one));
+    const Line mainLine = lineOf(d, mainVariance, minor, spacing, settings, cap);
+    const Line crossLine = lineOf(d, crossVariance, minor, spacing, settings, cap);
 
-    // The lines' angle with the major axis does not depend on what the levels happen to blur: when
-    // only the width of a footprint changes they stay where they are, and never sweep over a
-    // vertex, where a surface that is not flat tears.
-    const V longer2 = hn::Max(hn::Sub(major, minor), zero);
-    const V both = hn::Add(longer2, hn::Add(across, across));
-    const V sine2 = hn::Div(across, hn::IfThenElse(hn::Gt(both, zero), both, one));
-    const V stepAlong = hn::Mul(step, hn::Sqrt(hn::Sub(one, sine2)));
-    const V stepAcross = hn::Mul(step, hn::Sqrt(sine2));
-    const V stepV = hn::Div(hn::Mul(axisY, stepAlong), e2y);
-    const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, stepAlong)), e1x);
-    const V sideV = hn::Div(hn::Mul(axisX, stepAcross), e2y);
-    const V sideU = hn::Neg(hn::Div(hn::MulAdd(sideV, e2x, hn::Mul(axisY, stepAcross)), e1x));
+    const V stepV = hn::Div(hn::Mul(axisY, mainLine.step), e2y);
+    const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, mainLine.step)), e1x);
+    const V crossV = hn::Div(hn::Mul(axisX, crossLine.step), e2y);
+    const V crossU = hn::Neg(hn::Div(hn::MulAdd(crossV, e2x, hn::Mul(axisY, crossLine.step)), e1x));
 
     hn::Store(u, d, out.u + at);
     hn::Store(v, d, out.v + at);
     hn::Store(stepU, d, out.stepU + at);
     hn::Store(stepV, d, out.stepV + at);
-    hn::Store(sideU, d, out.sideU + at);
-    hn::Store(sideV, d, out.sideV + at);
-    hn::Store(hn::IfThenElse(isStep, steps, one), d, out.support + at);
+    hn::Store(mainLine.support, d, out.support + at);
+    hn::Store(crossU, d, out.crossU + at);
+    hn::Store(crossV, d, out.crossV + at);
+    hn::Store(crossLine.support, d, out.crossSupport + at);
+    hn::Store(share, d, out.crossShare + at);
     hn::Store(blend.fine, d, out.fine + at);
     hn::Store(blend.coarse, d, out.coarse + at);
 }

@@ -24,7 +24,7 @@ struct LineReads
 {
     Reads fine, coarse;
     TexelReads texels;
-    float weight = 0; ///< of all probes, that of the line aside
+    float weight = 0; ///< of all probes
 };
 
 /// The lines of one query.
@@ -121,7 +121,6 @@ HWY_INLINE void sumProbes(const FilterScene& scene,
     const std::size_t some = work.ranges[query.first].first;
     const float* origin = valuesOf(scene, work, query.fine, some, group) + reads[0].fine.pair[0];
     ChannelSum sum(origin);
-    float weight = 0;
     for (std::size_t l = 0; l < query.count; ++l) {
         const ProbeRange& range = work.ranges[query.first + l];
         ChannelSum fine(origin);
@@ -136,11 +135,10 @@ HWY_INLINE void sumProbes(const FilterScene& scene,
         if (reads[l].texels.count > 0) {
             addTexels(scene, work, range, reads[l].texels, group, fine);
         }
-        const auto ofLine = static_cast<float>(work.lines[query.first + l].weight);
-        sum.addSums(fine, coarse, ofLine);
-        weight += ofLine * reads[l].weight;
+        const auto share = static_cast<float>(work.lines[query.first + l].share);
+        sum.addSums(fine, coarse, share / reads[l].weight);
     }
-    sum.store(1 / weight, value);
+    sum.store(value);
 }
 
 /// Finds out what a line reads, and asks the caches for it.

@@ -208,12 +208,12 @@ public:
         }
     }
 
-    /// origin + sum * scale
-    HWY_INLINE void store(float scale, float* value) const
+    /// origin + sum
+    HWY_INLINE void store(float* value) const
     {
         const D4 d;
         for (std::size_t p = 0; p < kParts; ++p) {
-            const V4 mean = hn::MulAdd(m_sum[p], hn::Set(d, scale), m_origin[p]);
+            const V4 mean = hn::Add(m_sum[p], m_origin[p]);
             hn::StoreU(mean, d, value + p * hn::Lanes(d));
         }
     }

@@ -58,7 +58,7 @@ MethodEntry probesOneLevelMethod()
                   "two are blended only about the switch.";
     entry.parameter->standard = 24;
     entry.make = [](double probes) -> std::unique_ptr<const FilterMethod> {
-        return std::make_unique<Probes>(probeSettings(evenCount(probes), 0.25));
+        return std::make_unique<Probes>(probeSettings(evenCount(probes), 0.4));
     };
     return entry;
 }
