@@ -47,6 +47,116 @@ HWY_INLINE V limitOf(D d, V u, V v)
     return hn::IfThenElse(isLong, hn::Div(widest, hn::Sqrt(squared)), hn::Set(d, 1.0));
 }
 
+/// Where a query is, and how large what it lies on is.
+struct Place
+{
+    V u, v;          ///< centre, brought inside the face
+    V edge2, texel2; ///< squared edges of the face and of a texel of its base
+};
+
+HWY_INLINE Place placeOf(D d, const PlanInputs& in, std::size_t at)
+{
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0);
+    V u = hn::Load(d, in.u + at);
+    V v = hn::Load(d, in.v + at);
+    const auto hasCentre = hn::And(hn::IsFinite(u), hn::IsFinite(v));
+    u = hn::Max(hn::IfThenElse(hasCentre, u, hn::Set(d, 1.0 / 3.0)), zero);
+    v = hn::Max(hn::IfThenElse(hasCentre, v, hn::Set(d, 1.0 / 3.0)), zero);
+    const V outside = hn::Max(hn::Add(u, v), one);
+    u = hn::Div(u, outside);
+    v = hn::Div(v, outside);
+    const V w = hn::Sub(hn::Sub(one, u), v);
+    const auto interpolated = [&](const double(&corners)[3][PlanInputs::kSize]) HWY_ATTR {
+        return hn::MulAdd(
+            w,
+            hn::Load(d, corners[0] + at),
+            hn::MulAdd(u, hn::Load(d, corners[1] + at), hn::Mul(v, hn::Load(d, corners[2] + at))));
+    };
+    const V log2Edge = interpolated(in.edge);
+    const V edge2 = exp2Of(d, hn::Add(log2Edge, log2Edge));
+    const V log2Texel = interpolated(in.texel);
+    const V texel2 = exp2Of(d, hn::Add(log2Texel, log2Texel));
+    return {u, v, edge2, texel2};
+}
+
+/// The ellipse of a footprint, with its floor.
+struct Axes
+{
+    V major, minor; ///< variances
+    V x, y;         ///< direction of the major axis in the plane, of length 1
+};
+
+/// Everything as in `queryEllipse`.
+HWY_INLINE Axes axesOf(D d, const PlanInputs& in, std::size_t at, const Place& place)
+{
+    const V zero = hn::Zero(d);
+    const V half = hn::Set(d, 0.5);
+    const V one = hn::Set(d, 1.0);
+
+    // Half axes a, b in the plane. The determinant is taken in (u,v), where products of floats are
+    // exact.
+    const V e1x = hn::Load(d, in.e1x + at);
+    const V e2x = hn::Load(d, in.e2x + at);
+    const V e2y = hn::Load(d, in.e2y + at);
+    V w1u = hn::Load(d, in.w1u + at);
+    V w1v = hn::Load(d, in.w1v + at);
+    V w2u = hn::Load(d, in.w2u + at);
+    V w2v = hn::Load(d, in.w2v + at);
+    const auto finite = hn::And(hn::And(hn::IsFinite(w1u), hn::IsFinite(w1v)),
+                                hn::And(hn::IsFinite(w2u), hn::IsFinite(w2v)));
+    const V limit1 = limitOf(d, w1u, w1v);
+    const V limit2 = limitOf(d, w2u, w2v);
+    w1u = hn::Mul(w1u, limit1);
+    w1v = hn::Mul(w1v, limit1);
+    w2u = hn::Mul(w2u, limit2);
+    w2v = hn::Mul(w2v, limit2);
+    const V widest = hn::Mul(hn::Set(d, kWidestFootprint / 2), hn::Sqrt(place.edge2));
+    const auto orWidest = [&](V x, V otherwise)
+                              HWY_ATTR { return hn::IfThenElse(finite, x, otherwise); };
+    const V ax = orWidest(hn::Mul(half, hn::MulAdd(w1u, e1x, hn::Mul(w1v, e2x))), widest);
+    const V ay = orWidest(hn::Mul(half, hn::Mul(w1v, e2y)), zero);
+    const V bx = orWidest(hn::Mul(half, hn::MulAdd(w2u, e1x, hn::Mul(w2v, e2x))), zero);
+    const V by = orWidest(hn::Mul(half, hn::Mul(w2v, e2y)), widest);
+    const V crossUv = hn::NegMulAdd(w1v, w2u, hn::Mul(w1u, w2v));
+    const V cross = orWidest(hn::Mul(hn::Mul(crossUv, hn::Mul(e1x, e2y)), hn::Set(d, 0.25)),
+                             hn::Mul(widest, widest));
+
+    // Covariance with its floor, its eigenvalues and the major axis.
+    const V floor = hn::Mul(place.texel2, hn::Set(d, 0.25));
+    const V xx = hn::MulAdd(ax, ax, hn::Mul(bx, bx));
+    const V yy = hn::MulAdd(ay, ay, hn::Mul(by, by));
+    const V xy = hn::MulAdd(ax, ay, hn::Mul(bx, by));
+    const V trace = hn::Add(xx, yy);
+    const V determinant = hn::MulAdd(cross, cross, hn::Mul(floor, hn::Add(trace, floor)));
+    const V difference = hn::Mul(half, hn::Sub(xx, yy));
+    const V root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(xy, xy)));
+    const V major = hn::Add(hn::MulAdd(half, trace, root), floor);
+    const V minor = hn::Min(hn::Div(determinant, major), major);
+    const auto alongX = hn::Ge(difference, zero);
+    const V dx = hn::IfThenElse(alongX, hn::Add(root, difference), xy);
+    const V dy = hn::IfThenElse(alongX, xy, hn::Sub(root, difference));
+    const V length = hn::Sqrt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)));
+    const auto isRound = hn::Eq(length, zero);
+    const V inverse = hn::Div(one, hn::IfThenElse(isRound, one, length));
+    const V axisX = hn::IfThenElse(isRound, one, hn::Mul(dx, inverse));
+    const V axisY = hn::Mul(dy, inverse);
+    return {major, minor, axisX, axisY};
+}
+
+/// Neither longer nor thinner than the probes can span.
+HWY_INLINE void
+bound(D d, const ProbeSettings& settings, const ProbeCap& cap, const Place& place, Axes& axes)
+{
+    const double longest = kMostProbedEdges / settings.support;
+    const V thinnest = hn::Set(d, cap.thinnest);
+    axes.major = hn::Min(axes.major, hn::Mul(hn::Set(d, longest * longest), place.edge2));
+    axes.minor = hn::Min(axes.minor, axes.major);
+    const V lack = hn::Min(hn::Div(axes.minor, hn::Mul(thinnest, axes.major)), hn::Set(d, 1.0));
+    axes.major = hn::Mul(axes.major, hn::Sqrt(hn::Sqrt(hn::Sqrt(lack))));
+    axes.minor = hn::Max(axes.minor, hn::Mul(thinnest, axes.major));
+}
+
 /// Which levels are read, see `levelBlend`.
 struct Blend
 {
@@ -54,10 +164,11 @@ struct Blend
     V variance;     ///< that the blend has
 };
 
-/// \param edge2   squared edges of the face and of its texels
 /// \param wanted  variance
-HWY_INLINE Blend blendOf(D d, V edge2, V texel2, V wanted, double band)
+HWY_INLINE Blend blendOf(D d, const Place& place, V wanted, double band)
 {
+    const V edge2 = place.edge2;
+    const V texel2 = place.texel2;
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5);
     const V one = hn::Set(d, 1.0);
@@ -129,7 +240,7 @@ lineOf(D d, V variance, V minor, V spacing, const ProbeSettings& settings, const
     return {step, hn::IfThenElse(isStep, steps, one)};
 }
 
-/// Everything as in `queryEllipse` and `levelBlend`, for the lanes of one register.
+/// A query's plan, for the lanes of one register.
 HWY_INLINE void planLanes(const PlanInputs& in,
                           std::size_t at,
                           const ProbeSettings& settings,
@@ -138,86 +249,12 @@ HWY_INLINE void planLanes(const PlanInputs& in,
 {
     const D d;
     const V zero = hn::Zero(d);
-    const V half = hn::Set(d, 0.5);
     const V one = hn::Set(d, 1.0);
     const auto clamped = [&](V x) HWY_ATTR { return hn::Min(hn::Max(x, zero), one); };
-
-    // The centre, brought inside.
-    V u = hn::Load(d, in.u + at);
-    V v = hn::Load(d, in.v + at);
-    const auto hasCentre = hn::And(hn::IsFinite(u), hn::IsFinite(v));
-    u = hn::Max(hn::IfThenElse(hasCentre, u, hn::Set(d, 1.0 / 3.0)), zero);
-    v = hn::Max(hn::IfThenElse(hasCentre, v, hn::Set(d, 1.0 / 3.0)), zero);
-    const V outside = hn::Max(hn::Add(u, v), one);
-    u = hn::Div(u, outside);
-    v = hn::Div(v, outside);
-    const V w = hn::Sub(hn::Sub(one, u), v);
-    const auto interpolated = [&](const double(&corners)[3][PlanInputs::kSize]) HWY_ATTR {
-        return hn::MulAdd(
-            w,
-            hn::Load(d, corners[0] + at),
-            hn::MulAdd(u, hn::Load(d, corners[1] + at), hn::Mul(v, hn::Load(d, corners[2] + at))));
-    };
-    const V log2Edge = interpolated(in.edge);
-    const V edge2 = exp2Of(d, hn::Add(log2Edge, log2Edge));
-    const V log2Texel = interpolated(in.texel);
-    const V texel2 = exp2Of(d, hn::Add(log2Texel, log2Texel));
-
-    // Half axes a, b in the plane. The determinant is taken in (u,v), where products of floats are
-    // exact.
-    const V e1x = hn::Load(d, in.e1x + at);
-    const V e2x = hn::Load(d, in.e2x + at);
-    const V e2y = hn::Load(d, in.e2y + at);
-    V w1u = hn::Load(d, in.w1u + at);
-    V w1v = hn::Load(d, in.w1v + at);
-    V w2u = hn::Load(d, in.w2u + at);
-    V w2v = hn::Load(d, in.w2v + at);
-    const auto finite = hn::And(hn::And(hn::IsFinite(w1u), hn::IsFinite(w1v)),
-                                hn::And(hn::IsFinite(w2u), hn::IsFinite(w2v)));
-    const V limit1 = limitOf(d, w1u, w1v);
-    const V limit2 = limitOf(d, w2u, w2v);
-    w1u = hn::Mul(w1u, limit1);
-    w1v = hn::Mul(w1v, limit1);
-    w2u = hn::Mul(w2u, limit2);
-    w2v = hn::Mul(w2v, limit2);
-    const V widest = hn::Mul(hn::Set(d, kWidestFootprint / 2), hn::Sqrt(edge2));
-    const auto orWidest = [&](V x, V otherwise)
-                              HWY_ATTR { return hn::IfThenElse(finite, x, otherwise); };
-    const V ax = orWidest(hn::Mul(half, hn::MulAdd(w1u, e1x, hn::Mul(w1v, e2x))), widest);
-    const V ay = orWidest(hn::Mul(half, hn::Mul(w1v, e2y)), zero);
-    const V bx = orWidest(hn::Mul(half, hn::MulAdd(w2u, e1x, hn::Mul(w2v, e2x))), zero);
-    const V by = orWidest(hn::Mul(half, hn::Mul(w2v, e2y)), widest);
-    const V crossUv = hn::NegMulAdd(w1v, w2u, hn::Mul(w1u, w2v));
-    const V cross = orWidest(hn::Mul(hn::Mul(crossUv, hn::Mul(e1x, e2y)), hn::Set(d, 0.25)),
-                             hn::Mul(widest, widest));
-
-    // Covariance with its floor, its eigenvalues and the major axis.
-    const V floor = hn::Mul(texel2, hn::Set(d, 0.25));
-    const V xx = hn::MulAdd(ax, ax, hn::Mul(bx, bx));
-    const V yy = hn::MulAdd(ay, ay, hn::Mul(by, by));
-    const V xy = hn::MulAdd(ax, ay, hn::Mul(bx, by));
-    const V trace = hn::Add(xx, yy);
-    const V determinant = hn::MulAdd(cross, cross, hn::Mul(floor, hn::Add(trace, floor)));
-    const V difference = hn::Mul(half, hn::Sub(xx, yy));
-    const V root = hn::Sqrt(hn::MulAdd(difference, difference, hn::Mul(xy, xy)));
-    V major = hn::Add(hn::MulAdd(half, trace, root), floor);
-    V minor = hn::Min(hn::Div(determinant, major), major);
-    const auto alongX = hn::Ge(difference, zero);
-    const V dx = hn::IfThenElse(alongX, hn::Add(root, difference), xy);
-    const V dy = hn::IfThenElse(alongX, xy, hn::Sub(root, difference));
-    const V length = hn::Sqrt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)));
-    const auto isRound = hn::Eq(length, zero);
-    const V inverse = hn::Div(one, hn::IfThenElse(isRound, one, length));
-    const V axisX = hn::IfThenElse(isRound, one, hn::Mul(dx, inverse));
-    const V axisY = hn::Mul(dy, inverse);
-
-    // Neither longer nor thinner than the probes can span.
-    const double longest = kMostProbedEdges / settings.support;
-    major = hn::Min(major, hn::Mul(hn::Set(d, longest * longest), edge2));
-    minor = hn::Min(minor, major);
-    const V lack = hn::Min(hn::Div(minor, hn::Mul(hn::Set(d, cap.thinnest), major)), one);
-    major = hn::Mul(major, hn::Sqrt(hn::Sqrt(hn::Sqrt(lack))));
-    minor = hn::Max(minor, hn::Mul(hn::Set(d, cap.thinnest), major));
+    const Place place = placeOf(d, in, at);
+    Axes axes = axesOf(d, in, at, place);
+    bound(d, settings, cap, place, axes);
+    const auto& [major, minor, axisX, axisY] = axes;
 
     // What a line across spreads is taken from the blur.
     const V anisotropy = hn::Sqrt(hn::Div(major, minor));
@@ -227,7 +264,7 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     const V share = hn::Mul(hn::Set(d, settings.across), hn::Mul(shorter, shorter));
     const V across = hn::Mul(hn::Mul(hn::Set(d, kAcrossVariance), minor), hn::Mul(share, directed));
 
-    const Blend blend = blendOf(d, edge2, texel2, hn::Sub(minor, across), settings.band);
+    const Blend blend = blendOf(d, place, hn::Sub(minor, across), settings.band);
     const V variance = blend.variance;
 
     // The probes make up for what the blur lacks of the ellipse: along the major axis and, up to
@@ -245,13 +282,16 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     const Line mainLine = lineOf(d, mainVariance, minor, spacing, settings, cap);
     const Line crossLine = lineOf(d, crossVariance, minor, spacing, settings, cap);
 
+    const V e1x = hn::Load(d, in.e1x + at);
+    const V e2x = hn::Load(d, in.e2x + at);
+    const V e2y = hn::Load(d, in.e2y + at);
     const V stepV = hn::Div(hn::Mul(axisY, mainLine.step), e2y);
     const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, mainLine.step)), e1x);
     const V crossV = hn::Div(hn::Mul(axisX, crossLine.step), e2y);
     const V crossU = hn::Neg(hn::Div(hn::MulAdd(crossV, e2x, hn::Mul(axisY, crossLine.step)), e1x));
 
-    hn::Store(u, d, out.u + at);
-    hn::Store(v, d, out.v + at);
+    hn::Store(place.u, d, out.u + at);
+    hn::Store(place.v, d, out.v + at);
     hn::Store(stepU, d, out.stepU + at);
     hn::Store(stepV, d, out.stepV + at);
     hn::Store(mainLine.support, d, out.support + at);
