@@ -22,8 +22,16 @@
 //   * A face that waits at several edges is laid where its key is least; where keys differ by less
 //     than 1e-6 of themselves, which is what rounding and symmetry do, across the edge of the face
 //     with the lowest id. No rule looks at vertex order.
+// Where all ways to a face lay it in the same place, no rule is needed: on a flat surface, and
+// wherever no vertex lies under the ellipse, faces are laid as they come (`FlatWalk`). A narrower
+// cut and the rule itself lay them there too.
 // What it cannot do: where the angles about a vertex do not add up to a full turn, no plane holds
-// all of its faces, and as the point moves around the vertex the cut behind it jumps.
+// all of its faces. As the point moves around the vertex, or the ellipse turns or changes its shape
+// (also by the floor under its width, when it is small), the face behind the vertex changes sides,
+// and the answer jumps by what that face weighs there times how much its texels differ. That is
+// inherent in laying each face once. On closed meshes of valence 3 to 10 with levels 0 to 6 mixed,
+// noise on them, 800 sweeps of the width up to two edges met 14 such jumps above 1e-3, the largest
+// 1.3e-2; nothing else jumps (tst_popping).
 #pragma once
 
 #include "core/filter/face_table.h"
