@@ -118,7 +118,7 @@ public:
     QFutureWatcher<std::vector<render::Polyline>> outlineWatcher;
     bool outlineIsStale = false; ///< the selection changed while an outline was being made
     bool selectRemoves = false;
-    std::vector<FaceId> selectionBefore; ///< when the drag began
+    std::shared_ptr<const std::vector<FaceId>> selectionBefore; ///< when the drag began
     glm::dvec2 selectedTo{0};            ///< device pixels
 
     std::optional<glm::dvec2> pointer; ///< last position over the view

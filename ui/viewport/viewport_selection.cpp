@@ -40,10 +40,9 @@ void Viewport::Private::takeSelection()
             surface ? selectionOutline(*surface, faces) : std::vector<render::Polyline>();
         redraw();
     } else if (!isBusy) {
-        outlineWatcher.setFuture(
-            QtConcurrent::run([surface, chosen = std::vector<FaceId>(faces.begin(), faces.end())] {
-                return selectionOutline(*surface, chosen);
-            }));
+        outlineWatcher.setFuture(QtConcurrent::run([surface, chosen = selection->snapshot()] {
+            return selectionOutline(*surface, *chosen);
+        }));
     }
 }
 
@@ -64,7 +63,7 @@ void Viewport::Private::beginSelecting(const PointerEvent& event)
         return;
     }
     interaction = Interaction::Select;
-    selectionBefore.assign(selection->faces().begin(), selection->faces().end());
+    selectionBefore = selection->snapshot();
     selectRemoves = event.modifiers.testFlag(Qt::ControlModifier);
     selectedTo = event.sample.position;
     if (!selectRemoves && !event.modifiers.testFlag(Qt::ShiftModifier)) {
@@ -81,18 +80,17 @@ void Viewport::Private::selectTo(glm::dvec2 position)
     const glm::dvec2 from = std::exchange(selectedTo, position);
     const double length = glm::length(position - from);
     const int steps = static_cast<int>(std::clamp(length / kStep, 1.0, double{kMostSteps}));
-    std::optional<FaceId> last;
+    std::vector<FaceId> met;
     for (int k = 1; k <= steps; ++k) {
         const auto point = hit(from + (position - from) * (double(k) / steps));
-        if (!point || last == point->face) {
-            continue;
+        if (point && (met.empty() || met.back() != point->face)) {
+            met.push_back(point->face);
         }
-        last = point->face;
-        if (selectRemoves) {
-            selection->remove(point->face);
-        } else {
-            selection->add(point->face);
-        }
+    }
+    if (selectRemoves) {
+        selection->remove(std::move(met));
+    } else {
+        selection->add(std::move(met));
     }
 }
 

@@ -118,7 +118,7 @@ bool Viewport::Private::cancel()
 {
     if (interaction == Interaction::Select) {
         interaction = Interaction::None;
-        selection->set(std::exchange(selectionBefore, {}));
+        selection->set(*std::exchange(selectionBefore, {}));
         return true;
     }
     if (interaction != Interaction::Stroke) {
