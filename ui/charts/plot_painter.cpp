@@ -41,8 +41,19 @@ QColor nameColor(const PlotSeries& series, const PlotTheme& theme)
 QPen linePen(const PlotSeries& series, const PlotTheme& theme, double width = kLineWidth)
 {
     QPen pen(seriesColor(series, theme), width);
-    pen.setCapStyle(Qt::RoundCap);
+    pen.setCapStyle(Qt::FlatCap); // markers cover the joints; round caps cost more than the lines
     return pen;
+}
+
+/// Whether drawing each marker by itself would take more than a few milliseconds.
+bool isCrowded(const Plot& plot)
+{
+    constexpr std::size_t kFew = 100;
+    std::size_t points = 0;
+    for (const PlotSeries& series : plot.series) {
+        points += series.points.size();
+    }
+    return points > kFew;
 }
 
 /// Draws the parts of one plot, one after the other, from back to front.
@@ -60,6 +71,7 @@ public:
         , m_fonts(fonts)
         , m_look(look)
         , m_text(painter, look.lettering)
+        , m_isCrowded(isCrowded(plot))
     {
     }
 
@@ -88,6 +100,7 @@ private:
     const PlotFonts& m_fonts;
     const PlotLook& m_look;
     PlotText m_text;
+    bool m_isCrowded;
 };
 
 void PlotPainter::paintGrid()
@@ -235,8 +248,7 @@ QImage PlotPainter::stampOf(const PlotSeries& series) const
 
 void PlotPainter::paintMarkers(const PlotSeries& series)
 {
-    constexpr std::size_t kFewMarkers = 30;
-    if (m_look.lettering == Lettering::Outlines || series.points.size() <= kFewMarkers) {
+    if (m_look.lettering == Lettering::Outlines || !m_isCrowded) {
         for (const PlotPoint& point : series.points) {
             paintMarker(m_painter, series, m_layout.at(point), m_layout.markRadius, theme());
         }
