@@ -255,6 +255,21 @@ TEST(EllipseReport, tellsAreaConditionAndTheLevelWhoseTexelsAreAsWide)
     EXPECT_NEAR(report.level, 4, 1e-5);
 }
 
+/// What has no length says nothing of how long the face's texels are.
+TEST(EllipseReport, anEdgeWithoutLengthIsLeftOut)
+{
+    std::array<glm::vec3, 3> corners = kEquilateral;
+    corners[1] = corners[0];
+    const Footprint footprint = textureAligned(0.25, 0.25);
+    const EllipseReport report = describe(footprint, corners, Level(5));
+    const EllipseReport wanted = describe(footprint, corners, Level(5), 0); // edges are 1 long
+    EXPECT_TRUE(std::isfinite(report.width));
+    EXPECT_NEAR(report.width, wanted.width, 1e-5);
+    EXPECT_NEAR(report.level, wanted.level, 1e-5);
+    corners[2] = corners[0];
+    EXPECT_TRUE(std::isfinite(describe(footprint, corners, Level(5)).width));
+}
+
 TEST(EllipseReport, levelStaysBetweenTheBaseAndTheCoarsest)
 {
     EXPECT_EQ(describe(textureAligned(50, 50), kEquilateral, Level(5)).level, 0);

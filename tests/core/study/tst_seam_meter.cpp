@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -139,6 +140,45 @@ TEST(SeamMeter, asksBothSidesForTheSamePointAndTheSameFootprint)
                                            return positionX(e, face) + e.xx + e.yy + e.determinant;
                                        }));
     EXPECT_LE(report.jumps.front().jump, 5e-6); // values of 16 and more, as floats
+}
+
+/// Keeps where it was asked.
+class Listening final : public FilterMethod
+{
+public:
+    void filter(const FilterScene& /*scene*/,
+                const FilterQueries& queries,
+                const FilterResults& results) const override
+    {
+        auto& call = m_calls.emplace_back();
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const double u = queries.u[i];
+            const double v = queries.v[i];
+            auto& point = call.emplace_back(std::array{u, v, 1 - u - v});
+            std::ranges::sort(point);
+        }
+        std::ranges::fill(results.values, 0.0F);
+        std::ranges::fill(results.taps, 1U);
+    }
+    const std::vector<std::vector<std::array<double, 3>>>& calls() const { return m_calls; }
+
+private:
+    mutable std::vector<std::vector<std::array<double, 3>>> m_calls; ///< barycentric, sorted
+};
+
+/// A point counted from the other end of the edge is the same to the last bit, also as a float:
+/// beside an edge of contrast a rounded one would look like a seam.
+TEST(SeamMeter, asksForPointsThatBothSidesHoldExactly)
+{
+    for (const int samples : {1, 4, 5, 7, 33}) {
+        SeamSettings settings;
+        settings.samples = samples;
+        const Listening listening;
+        measured(noiseScene(1, 2), listening, settings);
+        ASSERT_EQ(listening.calls().size(), 2U); // one side, then the other
+        EXPECT_EQ(listening.calls()[0], listening.calls()[1]) << samples << " an edge";
+        EXPECT_GE(listening.calls()[0].size(), 120U * static_cast<unsigned>(samples));
+    }
 }
 
 TEST(SeamMeter, tellsTheLargestJumpAsAPartOfTheValueRange)

@@ -178,6 +178,24 @@ TEST(LevelChange, integerChildrenSumToFourTimesTheirParent)
     EXPECT_GT(moved, 2000); // four equal children would keep the sum as well
 }
 
+/// Averages of white are computed, and may come out a little above it.
+TEST(LevelChange, whiteThatWasRoundedUpDoesNotTurnBlack)
+{
+    const TexelFormat format{TexelType::UInt8, 1, std::nullopt};
+    const auto stored = static_cast<std::byte>(254);
+    const FaceTexels face = FaceTexels::full(Level(0), 1, std::span(&stored, 1));
+    for (const float above : {1.0F, 1.0000001F, 1.001F, 1.02F}) {
+        std::array<float, 3 * kGroupChannels> averages{};
+        averages[0] = averages[kGroupChannels] = above;
+        averages[2 * kGroupChannels] = 250.0F / 255;
+        const LevelVertices vertices{averages.data(), kGroupChannels};
+        const FaceTexels finer = refined(format, face, std::span(&vertices, 1));
+        for (const std::byte child : finer.bytes()) {
+            EXPECT_GE(std::to_integer<int>(child), 250) << above;
+        }
+    }
+}
+
 TEST(LevelChange, halvingIsTheMeanOfFour)
 {
     const TexelFormat format;
