@@ -8,6 +8,7 @@
 #include <QScrollArea>
 
 #include "ui/dialogs/format_choice.h"
+#include "ui/docks/fit_compare.h"
 #include "ui/docks/fit_result.h"
 #include "ui/docks/fit_views.h"
 #include "ui/docks/value_row.h"
@@ -29,6 +30,7 @@ FitPanel::FitPanel(Document& document,
                    ViewSettings& settings,
                    BackgroundJobs& jobs,
                    Viewport& viewport,
+                   ViewMap& map,
                    FitWork work,
                    QWidget* parent)
     : QWidget(parent)
@@ -37,6 +39,7 @@ FitPanel::FitPanel(Document& document,
     , m_views(new FitViews(document, viewport))
     , m_tolerance(new ScaledSpinBox(Scale::Logarithmic))
     , m_result(new FitResult(settings))
+    , m_compare(new FitCompare(settings, viewport, map))
 {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
@@ -62,6 +65,7 @@ FitPanel::FitPanel(Document& document,
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &FitPanel::showState);
     connect(&m_document, &Document::opened, this, [this] {
         m_applied.reset();
+        m_shown.reset();
         m_run.forget();
         showState();
     });
@@ -110,6 +114,7 @@ void FitPanel::makeButtons(QBoxLayout& column)
     auto* inner = new QVBoxLayout;
     inner->setContentsMargins(kMargin, 0, kMargin, 0);
     inner->setSpacing(kSpace);
+    inner->addWidget(m_compare);
     inner->addWidget(m_state);
     inner->addWidget(m_progress);
     auto* row = new QHBoxLayout;
@@ -125,16 +130,21 @@ void FitPanel::makeButtons(QBoxLayout& column)
 void FitPanel::connectRun()
 {
     connect(&m_run, &FitRun::started, this, &FitPanel::showState);
-    connect(&m_run, &FitRun::ended, this, [this] {
-        if (m_run.outcome()) {
-            m_result->show(*m_run.outcome());
-        }
-        showState();
-    });
+    connect(&m_run, &FitRun::ended, this, &FitPanel::showOutcome);
     connect(&m_run, &FitRun::failed, this, &FitPanel::failed);
     connect(&m_run, &FitRun::progressed, this, [this] {
         m_progress->setValue(static_cast<int>(m_run.fraction() * m_progress->maximum()));
     });
+}
+
+void FitPanel::showOutcome()
+{
+    showState();
+    if (m_run.outcome() && m_run.outcome() != m_shown) {
+        m_shown = m_run.outcome();
+        m_result->show(*m_shown);
+        m_compare->showErrors();
+    }
 }
 
 void FitPanel::begin()
@@ -147,14 +157,21 @@ FitSettings FitPanel::settings() const
     return {m_views->chosen(), m_tolerance->value() * kUnit};
 }
 
-bool FitPanel::isCurrent() const
+/// Whether the texels are those that the plan was made for.
+bool FitPanel::hasItsTexels() const
 {
     const auto& outcome = m_run.outcome();
-    if (!outcome || outcome->state != m_document.state()) {
+    return outcome && outcome->state.texels == m_document.state().texels;
+}
+
+bool FitPanel::isCurrent() const
+{
+    if (!hasItsTexels()) {
         return false;
     }
+    const FitSettings& planned = m_run.outcome()->settings;
     const FitSettings now = settings();
-    return outcome->settings.views == now.views && outcome->settings.tolerance == now.tolerance;
+    return planned.views == now.views && planned.tolerance == now.tolerance;
 }
 
 void FitPanel::planOrCancel()
@@ -179,9 +196,9 @@ void FitPanel::apply()
     }
     const auto outcome = m_run.outcome();
     const LevelCost& cost = outcome->fit.plan.cost;
-    if (m_document.applyPatch(
-            outcome->fit.plan.fitted, outcome->state, tr("Fit levels to scene"))) {
-        m_applied = m_document.state();
+    if (m_document.replaceTexels(outcome->fit.fitted, outcome->state, tr("Fit levels to scene"))) {
+        m_applied = m_document.state().texels;
+        m_compare->showTexels(); // which are the fitted ones now
         showState();
         emit applied(tr("Fitted %1 faces: %2 → %3 texels, %4 → %5.")
                          .arg(countText(cost.changedFaces),
@@ -219,7 +236,7 @@ QString FitPanel::stateText() const
         return tr("Planning…");
     }
     const auto& outcome = m_run.outcome();
-    if (m_applied && m_document.state() == *m_applied) {
+    if (m_applied && m_document.state().texels == *m_applied) {
         return tr("The plan is applied; undo brings everything back.");
     }
     if (const QString why = problem(); !why.isEmpty()) {
@@ -228,7 +245,7 @@ QString FitPanel::stateText() const
     if (!outcome) {
         return tr("Plan finds the lowest levels that keep what these views show.");
     }
-    if (outcome->state != m_document.state()) {
+    if (!hasItsTexels()) {
         return tr("The texels have changed since this plan: plan again.");
     }
     if (!isCurrent()) {
@@ -255,6 +272,8 @@ void FitPanel::showState()
     if (!running) {
         m_progress->setValue(0);
     }
+    m_compare->setOutcome(outcome, hasItsTexels());
+    m_compare->setVisible(outcome != nullptr);
     m_result->setVisible(outcome != nullptr);
     m_result->setEnabled(!running && isCurrent());
 }

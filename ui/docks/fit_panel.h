@@ -14,10 +14,12 @@ class QPushButton;
 
 namespace trixel::ui {
 
+class FitCompare;
 class FitResult;
 class FitViews;
 class ScaledSpinBox;
 class ViewSettings;
+class ViewMap;
 class Viewport;
 
 /// Fit to scene: from views and a tolerance the lowest level of each face that keeps what the views
@@ -31,6 +33,7 @@ public:
              ViewSettings& settings,
              BackgroundJobs& jobs,
              Viewport& viewport,
+             ViewMap& map,
              FitWork work,
              QWidget* parent = nullptr);
 
@@ -52,6 +55,8 @@ private:
     void connectRun();
     void planOrCancel();
     void apply();
+    void showOutcome();
+    bool hasItsTexels() const;
     void showState();
     QString stateText() const;
     QString problem() const;
@@ -59,11 +64,13 @@ private:
 
     Document& m_document;
     FitRun m_run;
-    std::optional<StateId> m_applied; ///< the state that the plan led to
+    std::shared_ptr<const FitOutcome> m_shown;
+    std::optional<std::uint64_t> m_applied; ///< the texels' state that the plan led to
 
     FitViews* m_views;
     ScaledSpinBox* m_tolerance;
     FitResult* m_result;
+    FitCompare* m_compare;
     QLabel* m_state;
     QProgressBar* m_progress;
     QPushButton* m_plan;

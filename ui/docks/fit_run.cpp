@@ -18,6 +18,12 @@ LevelCounts countLevels(std::span<const Level> levels)
     return counts;
 }
 
+/// The texels of a plan are many small pieces: whoever leaves it last, they are freed elsewhere.
+void discard(FitOutcome* outcome)
+{
+    QThreadPool::globalInstance()->start([outcome] { delete outcome; });
+}
+
 } // namespace
 
 FitWork fitWork()
@@ -34,11 +40,6 @@ FitRun::FitRun(BackgroundJobs& jobs, FitWork work, QObject* parent)
 {
 }
 
-FitRun::~FitRun()
-{
-    letGo(std::move(m_outcome));
-}
-
 void FitRun::start(FitInput input)
 {
     if (isRunning()) {
@@ -50,32 +51,23 @@ void FitRun::start(FitInput input)
         if (!made) {
             return tl::unexpected(made.error());
         }
-        auto outcome = std::make_shared<FitOutcome>();
+        const auto outcome = std::shared_ptr<FitOutcome>(new FitOutcome, &discard);
         outcome->fit = std::move(*made);
         outcome->state = input.state;
         outcome->settings = input.settings;
         outcome->before = countLevels(levelsOf(input.project.texels).values());
         outcome->after = countLevels(outcome->fit.plan.levels.values());
-        return Outcome(std::move(outcome));
+        return Outcome(outcome);
     };
     launch(tr("Fitting levels to the scene…"), work, [this](Outcome outcome) {
-        letGo(std::exchange(m_outcome, std::move(outcome)));
+        m_outcome = std::move(outcome);
     });
 }
 
 void FitRun::forget()
 {
     cancel();
-    letGo(std::exchange(m_outcome, nullptr));
-}
-
-/// The texels of a plan are many small pieces: freeing them is work for another thread.
-void FitRun::letGo(Outcome outcome)
-{
-    if (outcome) {
-        QThreadPool::globalInstance()->start(
-            [gone = std::move(outcome)]() mutable { gone.reset(); });
-    }
+    m_outcome = nullptr;
 }
 
 } // namespace trixel::ui

@@ -47,7 +47,6 @@ class FitRun : public MeasuredRun
 
 public:
     FitRun(BackgroundJobs& jobs, FitWork work, QObject* parent = nullptr);
-    ~FitRun() override;
 
     /// Does nothing while a plan is being made.
     void start(FitInput input);
@@ -59,7 +58,6 @@ public:
 private:
     using Outcome = std::shared_ptr<const FitOutcome>;
     bool take() override { return false; } // a plan comes whole
-    static void letGo(Outcome outcome);
 
     FitWork m_work;
     Outcome m_outcome;

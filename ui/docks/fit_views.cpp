@@ -12,6 +12,7 @@
 #include "render/camera_view.h"
 #include "ui/docks/value_row.h"
 #include "ui/document/document.h"
+#include "ui/document/view_bookmarks.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace trixel::ui {
 namespace {
 
 constexpr int kSpace = 6;
-constexpr int kRowsShown = 4;
+constexpr int kRowsShown = 3;
 constexpr double kLeastDistance = 0.05; // of the surface's size, proposed
 constexpr double kLargestDistance = 1e9;
 
@@ -86,6 +87,10 @@ FitViews::FitViews(Document& document, const Viewport& viewport, QWidget* parent
     column->addWidget(makeDistance());
     column->addWidget(m_spacing);
     connect(&document, &Document::opened, this, &FitViews::takeDocument);
+    connect(&document.bookmarks(), &ViewBookmarks::changed, this, [this] {
+        listViews();
+        emit changed();
+    });
     connect(&document, &Document::levelsChanged, this, &FitViews::measureTexels);
     takeDocument();
 }
@@ -99,7 +104,7 @@ void FitViews::makeList()
     const int row = fontMetrics().height() + 6;
     m_list->setFixedHeight(kRowsShown * row + 2 * m_list->frameWidth());
     m_add->setAccessibleName(tr("Add the present view"));
-    m_add->setToolTip(tr("Keep what the 3D view shows now"));
+    m_add->setToolTip(tr("Bookmark what the 3D view shows now, to keep it"));
     connect(m_list, &QListWidget::itemChanged, this, &FitViews::takeChecks);
     connect(m_add, &QPushButton::clicked, this, &FitViews::addPresent);
 }
@@ -140,7 +145,7 @@ QWidget* FitViews::makeDistance()
 
 SceneViews FitViews::chosen() const
 {
-    SceneViews views = m_views;
+    SceneViews views = m_document.bookmarks().views();
     const auto isLeftOut = [this](const auto& view) {
         return m_leftOut.contains(QString::fromStdString(view.name));
     };
@@ -149,12 +154,15 @@ SceneViews FitViews::chosen() const
     if (m_beyond->isChecked()) {
         views.distant.push_back(beyond());
     }
+    const auto forgetName = [](auto& view) { view.name.clear(); };
+    std::ranges::for_each(views.cameras, forgetName);
+    std::ranges::for_each(views.distant, forgetName);
     return views;
 }
 
 DistantViews FitViews::beyond() const
 {
-    return {.name = "beyond", .distance = m_distance->value()};
+    return {.name = {}, .distance = m_distance->value()};
 }
 
 /// As far away as the present view is.
@@ -171,11 +179,7 @@ void FitViews::proposeDistance()
 
 void FitViews::addPresent()
 {
-    ViewCamera camera = render::viewOf(m_viewport.camera());
-    camera.name = tr("View %1").arg(m_views.cameras.size() + 1).toStdString();
-    m_views.cameras.push_back(camera);
-    listViews();
-    emit changed();
+    m_document.bookmarks().add(render::viewOf(m_viewport.camera()));
 }
 
 void FitViews::listViews()
@@ -190,8 +194,9 @@ void FitViews::listViews()
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setCheckState(m_leftOut.contains(name) ? Qt::Unchecked : Qt::Checked);
     };
-    std::ranges::for_each(m_views.cameras, add);
-    std::ranges::for_each(m_views.distant, add);
+    const SceneViews& views = m_document.bookmarks().views();
+    std::ranges::for_each(views.cameras, add);
+    std::ranges::for_each(views.distant, add);
     m_list->setCurrentRow(
         std::clamp(current, std::min(0, m_list->count() - 1), m_list->count() - 1));
 }
@@ -211,7 +216,6 @@ void FitViews::takeDocument()
 {
     m_add->setEnabled(m_document.isOpen());
     m_beyond->setEnabled(m_document.isOpen());
-    m_views = {};
     m_leftOut.clear();
     listViews();
     m_distanceIsChosen = false;

@@ -18,7 +18,7 @@ class Document;
 class ScaledSpinBox;
 class Viewport;
 
-/// Chooses the views that a fit is to keep: the checked ones of the bookmarked views, and every
+/// Chooses the views that a fit is to keep: the checked ones of the document's bookmarks, and every
 /// view beyond a distance.
 class FitViews : public QWidget
 {
@@ -27,6 +27,7 @@ class FitViews : public QWidget
 public:
     FitViews(Document& document, const Viewport& viewport, QWidget* parent = nullptr);
 
+    /// Without their names: what is planned does not depend on them.
     SceneViews chosen() const;
 
 signals:
@@ -48,7 +49,6 @@ private:
     const Viewport& m_viewport;
     BackgroundJobs m_jobs; // brief: nobody needs to see them
     quint64 m_generation = 0;
-    SceneViews m_views;              ///< to choose from
     QSet<QString> m_leftOut;         ///< names of those that are not checked
     double m_texelSpacing = 0;       ///< world units from texel to texel, mean; 0 while not known
     bool m_distanceIsChosen = false; ///< by the user

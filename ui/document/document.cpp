@@ -3,9 +3,11 @@
 
 #include <QFileInfo>
 
+#include "core/base/check.h"
 #include "core/io/new_project.h"
 #include "core/study/project_views.h"
 #include "ui/document/swap_patch.h"
+#include "ui/document/swap_store.h"
 #include "ui/document/swap_views.h"
 #include "ui/document/view_bookmarks.h"
 
@@ -187,11 +189,34 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
                            : tr("Fill %n faces", nullptr, static_cast<int>(faces.size())));
 }
 
-bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text)
+/// Ends a stroke in progress; complains where the texels are others than those the change is for.
+bool Document::mayReplace(StateId madeFor, const QString& text)
 {
     endStroke();
     if (!isOpen() || state().texels != madeFor.texels) {
         emit notice(tr("%1: the texture has changed meanwhile, nothing was done.").arg(text));
+        return false;
+    }
+    return true;
+}
+
+bool Document::replaceTexels(TexelStore texels, StateId madeFor, const QString& text)
+{
+    if (!mayReplace(madeFor, text)) {
+        return false;
+    }
+    check(texels.faceCount() == m_project.texels.faceCount() &&
+              texels.format() == m_project.texels.format(),
+          "texels of the same faces and format");
+    exchange(texels);
+    const StateId next{++m_lastState, state().views};
+    m_undo.push(new SwapStore(*this, std::move(texels), next, text)); // the stack owns it
+    return true;
+}
+
+bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text)
+{
+    if (!mayReplace(madeFor, text)) {
         return false;
     }
     if (!patch.isEmpty()) {
@@ -214,6 +239,19 @@ void Document::swapPatch(TexelPatch& patch)
     // A patch fits the state it was made on, which a stroke in progress has left.
     cancelStroke();
     exchange(patch);
+}
+
+void Document::swapStore(TexelStore& texels)
+{
+    cancelStroke();
+    exchange(texels);
+}
+
+void Document::exchange(TexelStore& texels)
+{
+    std::swap(m_project.texels, texels);
+    emit changed({});
+    emit levelsChanged(); // which of them have is not asked
 }
 
 void Document::swapViews(SceneViews& views)

@@ -100,6 +100,11 @@ public:
     /// \return         whether it was applied
     bool applyPatch(TexelPatch patch, StateId madeFor, const QString& text);
 
+    /// The same with all texels, for changes of so many faces that going through them would hold
+    /// the window up. Costs the same for any number of faces.
+    /// \param texels  of as many faces and the same format (checked)
+    bool replaceTexels(TexelStore texels, StateId madeFor, const QString& text);
+
 signals:
     /// Another project, or none.
     void opened();
@@ -113,7 +118,11 @@ signals:
 
 private:
     friend class SwapPatch;
+    friend class SwapStore;
     void swapPatch(TexelPatch& patch);
+    void swapStore(TexelStore& texels);
+    bool mayReplace(StateId madeFor, const QString& text);
+    void exchange(TexelStore& texels);
     void exchange(TexelPatch& patch);
     void push(TexelPatch applied, const QString& text);
     friend class SwapViews;

@@ -22,7 +22,7 @@ constexpr QColor kFaint(0xa8, 0xa8, 0xac);
 
 bool hasScale(ViewMapKind map)
 {
-    return map == ViewMapKind::Condition || map == ViewMapKind::Error;
+    return map == ViewMapKind::Condition || map == ViewMapKind::Error || map == ViewMapKind::Fit;
 }
 
 } // namespace
@@ -37,12 +37,15 @@ MapLegend::MapLegend(QWidget* view)
 
 void MapLegend::setMap(ViewMapKind map, const QString& title)
 {
+    setMap(map, title, hasScale(map) ? MapScale::of(map) : m_scale);
+}
+
+void MapLegend::setMap(ViewMapKind map, const QString& title, const MapScale& scale)
+{
     m_map = map;
     m_title = title;
+    m_scale = scale;
     m_value.reset();
-    if (hasScale(map)) {
-        m_scale = MapScale::of(map);
-    }
     setVisible(map != ViewMapKind::None);
     describe();
     place();

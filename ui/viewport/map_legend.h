@@ -20,6 +20,8 @@ public:
 
     /// \param title  what is shown; one sentence
     void setMap(ViewMapKind map, const QString& title);
+    /// \param scale  of the map's numbers
+    void setMap(ViewMapKind map, const QString& title, const MapScale& scale);
     /// How far the picture is; empty when it is complete.
     void setState(const QString& state);
     /// Nothing where the pointer is off the surface.

@@ -27,6 +27,19 @@ MapScale MapScale::of(ViewMapKind map)
     return scale;
 }
 
+MapScale MapScale::about(double tolerance)
+{
+    // A fit lets no face err more than three tolerances.
+    MapScale scale;
+    scale.m_low = 0.03 * tolerance;
+    scale.m_high = 3 * tolerance;
+    for (const double part : {0.03, 0.1, 0.3, 1.0, 3.0}) {
+        const double value = part * tolerance;
+        scale.m_ticks.push_back({value, QString::number(255 * value, 'g', 2)});
+    }
+    return scale;
+}
+
 double MapScale::position(double value) const
 {
     return std::log(value / m_low) / std::log(m_high / m_low);
@@ -39,6 +52,9 @@ QString MapScale::text(ViewMapKind map, double value)
     }
     if (std::isinf(value)) {
         return "∞";
+    }
+    if (map == ViewMapKind::Fit) {
+        return QString("%1 / 255").arg(QString::number(255 * value, 'g', 3));
     }
     return map == ViewMapKind::Condition
                ? QString("%1 : 1").arg(QString::number(value, 'g', 3))

@@ -22,6 +22,8 @@ public:
 
     /// \param map  Condition or Error
     static MapScale of(ViewMapKind map);
+    /// Of Fit: errors about a tolerance, both in the unit of the texel values.
+    static MapScale about(double tolerance);
 
     /// 0 at the lowest value of the scale, 1 at the highest; beyond them less or more. Zero is
     /// infinitely low.
@@ -29,7 +31,7 @@ public:
     render::Rgb color(double value) const { return render::mapColor(position(value)); }
     const std::vector<Tick>& ticks() const { return m_ticks; }
 
-    /// A number of the map as people read it: "3.2 : 1", "0.034 %".
+    /// A number of the map as people read it: "3.2 : 1", "0.034 %", "0.42 / 255".
     static QString text(ViewMapKind map, double value);
 
 private:

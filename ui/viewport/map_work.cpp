@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -21,6 +22,8 @@ constexpr int kFirstBandQueries = 256;
 constexpr int kMostBandRows = 128;
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
+
+constexpr render::Rgb kInNoView{112, 112, 112};
 
 class CancelOnly final : public Progress
 {
@@ -60,9 +63,10 @@ class Evaluator
 public:
     explicit Evaluator(const MapWork& work)
         : m_work(work)
-        , m_scale(MapScale::of(work.map))
+        , m_scale(work.map == ViewMapKind::Fit ? MapScale::about(work.faceErrors.tolerance)
+                                               : MapScale::of(work.map))
     {
-        if (work.map != ViewMapKind::Condition) {
+        if (work.scene) {
             m_method = makeMethod(work.method);
         }
         if (work.map == ViewMapKind::Error) {
@@ -80,7 +84,11 @@ private:
     {
         Answers answers;
         answers.values.resize(queries.size());
-        if (m_work.map == ViewMapKind::Condition) {
+        if (m_work.map == ViewMapKind::Fit) {
+            std::ranges::transform(queries.face, answers.values.begin(), [this](FaceId face) {
+                return (*m_work.faceErrors.rms)[face];
+            });
+        } else if (m_work.map == ViewMapKind::Condition) {
             footprintConditions(*m_work.surface, queries, Threads::all(), answers.values);
         } else {
             filterDifferences(*m_work.scene,
@@ -93,7 +101,8 @@ private:
         }
         answers.colors.reserve(queries.size());
         for (const float value : answers.values) {
-            answers.colors.push_back(opaque(m_scale.color(double{value})));
+            const bool isUnseen = m_work.map == ViewMapKind::Fit && std::isnan(value);
+            answers.colors.push_back(opaque(isUnseen ? kInNoView : m_scale.color(double{value})));
         }
         return answers;
     }

@@ -3,6 +3,7 @@
 
 #include <QPromise>
 
+#include "core/base/face_map.h"
 #include "core/filter/filter_method.h"
 #include "core/study/view_queries.h"
 #include "ui/viewport/view_settings.h"
@@ -13,15 +14,23 @@
 
 namespace trixel::ui {
 
+/// What a planned fit leaves on each face.
+struct FaceErrors
+{
+    std::shared_ptr<const FaceMap<float>> rms; ///< NaN where no view frames the face
+    double tolerance = 0;
+};
+
 /// All that a map of a view is computed from; nothing of it changes meanwhile.
 struct MapWork
 {
     ViewMapKind map = ViewMapKind::None;
     ViewCamera camera;
     std::shared_ptr<const Surface> surface;
-    std::shared_ptr<const FilterScene> scene; ///< not needed for Condition
+    std::shared_ptr<const FilterScene> scene; ///< not needed for Condition and Fit
     MethodChoice method;
-    double range = 0; ///< of the values
+    double range = 0;      ///< of the values
+    FaceErrors faceErrors; ///< for Fit alone
 };
 
 /// Some rows of the picture, which take the place of those computed before.

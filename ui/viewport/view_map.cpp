@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trixel::ui {
 
@@ -107,9 +108,36 @@ void ViewMap::restart()
         m_legend->setMap(ViewMapKind::None, {});
         return;
     }
-    m_legend->setMap(m_map, title());
+    showLegend();
     showState();
     m_pause.start();
+}
+
+void ViewMap::showLegend()
+{
+    if (m_map == ViewMapKind::Fit) {
+        m_legend->setMap(m_map, title(), MapScale::about(m_faceErrors.tolerance));
+    } else {
+        m_legend->setMap(m_map, title());
+    }
+}
+
+void ViewMap::setFaceErrors(FaceErrors errors)
+{
+    m_faceErrors = std::move(errors);
+    if (m_map == ViewMapKind::Fit) {
+        restart();
+    }
+}
+
+/// Whether all is there that the map is computed from.
+bool ViewMap::isReady() const
+{
+    if (m_map == ViewMapKind::Fit) {
+        return m_faceErrors.rms &&
+               m_faceErrors.rms->size() == m_document.surface()->mesh().faceCount();
+    }
+    return !readsTexels(m_map) || m_source.isCurrent();
 }
 
 void ViewMap::drop()
@@ -126,14 +154,15 @@ void ViewMap::drop()
 
 void ViewMap::begin()
 {
-    if (!m_document.isOpen() || (readsTexels(m_map) && !m_source.isCurrent())) {
-        return; // begins again when the scene is there
+    if (!m_document.isOpen() || !isReady()) {
+        return; // begins again when it is
     }
     MapWork work;
     work.map = m_map;
     work.camera = render::viewOf(m_viewport.camera());
     work.surface = m_document.surface();
     work.method = m_settings.method();
+    work.faceErrors = m_faceErrors;
     if (readsTexels(m_map)) {
         work.scene = m_source.scene();
         work.range = m_source.valueRange();
@@ -192,7 +221,9 @@ void ViewMap::showState()
 {
     if (isComplete()) {
         m_legend->setState({});
-    } else if (readsTexels(m_map) && !m_source.isCurrent()) {
+    } else if (m_map == ViewMapKind::Fit && !isReady()) {
+        m_legend->setState(tr("There is no plan yet."));
+    } else if (!isReady()) {
         m_legend->setState(tr("Preparing…"));
     } else if (m_step > 1) {
         m_legend->setState(tr("1/%1 of the pixels a side…").arg(m_step));
@@ -218,6 +249,10 @@ QString ViewMap::title() const
     case ViewMapKind::Error:
         return tr("Error of %1: largest channel's difference from Exact, of the value range")
             .arg(name);
+    case ViewMapKind::Fit:
+        return tr("RMS that the fit leaves on each face, in 1/255; the tolerance is %1. Grey: in "
+                  "no view")
+            .arg(QString::number(255 * m_faceErrors.tolerance, 'g', 3));
     case ViewMapKind::None:
         break;
     }

@@ -42,6 +42,9 @@ public:
     std::optional<float> valueAt(QPointF position) const;
     const MapLegend& legend() const { return *m_legend; }
 
+    /// What the map Fit shows; without errors it shows nothing.
+    void setFaceErrors(FaceErrors errors);
+
 signals:
     /// Part of the picture is there, or none any more.
     void progressed();
@@ -55,6 +58,8 @@ private:
     void showState();
     void showValue();
     QString title() const;
+    bool isReady() const;
+    void showLegend();
 
     const Document& m_document;
     ViewSettings& m_settings;
@@ -65,6 +70,7 @@ private:
     QFutureWatcher<MapBand> m_watcher;
     std::vector<float> m_values; ///< of every pixel of the view; empty when there are none
     QSize m_size;
+    FaceErrors m_faceErrors;
     ViewMapKind m_map = ViewMapKind::None;
     int m_completeStep = 0;
     int m_step = 0; ///< of the pass that is under way

@@ -16,7 +16,8 @@ enum class ViewMapKind {
     None,
     Filtered,  ///< the texels as the chosen filter method sees them
     Condition, ///< of the pixel's footprint
-    Error      ///< of the chosen method against the exact answer
+    Error,     ///< of the chosen method against the exact answer
+    Fit        ///< that a planned fit leaves on each face
 };
 
 /// How the viewport draws. A value: compared, copied, stored in settings.

@@ -7,6 +7,7 @@
 #include "core/footprint/footprint.h"
 #include "core/lattice/texel.h"
 #include "core/mesh/bvh.h"
+#include "core/texture/texel_store.h"
 #include "render/camera.h"
 #include "ui/viewport/hovered_texel.h"
 
@@ -96,6 +97,11 @@ public:
     void clearPicture();
     bool hasPicture() const;
 
+    /// Shows other texels of the document's surface in place of its own, or its own again. Ends by
+    /// itself when the document's texels change.
+    void showOtherTexels(std::optional<TexelStore> texels);
+    bool showsOtherTexels() const;
+
     /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
     /// `grabFramebuffer` is complete.
     void settle();
@@ -111,6 +117,8 @@ signals:
     void pointerMoved(const std::optional<QPointF>& position);
     /// The camera moved or the picture has another size.
     void cameraChanged();
+    /// Other texels are shown than before, the document's or not.
+    void otherTexelsShown(bool others);
     /// The pick tool met a texel.
     void colorPicked(const std::array<float, 4>& color);
     /// One sentence for the status bar (OpenGL not available, texels shown reduced, …).

@@ -50,7 +50,7 @@ void Viewport::Private::refreshHover()
         pointer && isInside(*pointer, camera.viewport()) ? hit(*pointer) : std::nullopt;
     if (point) {
         hoveredTexel = describeTexel(shownSurface->mesh(),
-                                     document.texels(),
+                                     texels(),
                                      shownTexels,
                                      *point,
                                      rayAt(camera, *pointer),

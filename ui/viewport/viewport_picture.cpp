@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is laid over the surface: a computed picture, and a marked edge.
+#include "core/base/check.h"
 #include "core/lattice/edge_transfer.h"
 #include "ui/viewport/viewport_private.h"
 
@@ -63,6 +64,19 @@ void Viewport::clearPicture()
 bool Viewport::hasPicture() const
 {
     return d->picture.size != glm::ivec2(0);
+}
+
+void Viewport::showOtherTexels(std::optional<TexelStore> texels)
+{
+    check(!texels || texels->faceCount() == d->document.texels().faceCount(),
+          "texels of the document's surface");
+    d->setOtherTexels(std::move(texels));
+    d->refreshHover();
+}
+
+bool Viewport::showsOtherTexels() const
+{
+    return d->otherTexels.has_value();
 }
 
 /// Rows that are not on the card yet; the context is current.

@@ -55,6 +55,9 @@ public:
     void takeSurface();
     void takeChange(const Change& change);
     void takeView();
+    /// The texels that are shown.
+    const TexelStore& texels() const { return otherTexels ? *otherTexels : document.texels(); }
+    void setOtherTexels(std::optional<TexelStore> others);
     void makeCanvas();
     void makeRenderer();
     void draw();
@@ -111,6 +114,7 @@ public:
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
 
     PictureOver picture;
+    std::optional<TexelStore> otherTexels; ///< shown in place of the document's
     std::optional<SurfaceEdge> markedEdge;
 
     FaceSelection* selection = nullptr;

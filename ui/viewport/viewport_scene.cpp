@@ -33,6 +33,7 @@ void Viewport::Private::takeSurface()
     texelsDirty = true;
     normals.clear();
     shownSurface = document.surface();
+    setOtherTexels(std::nullopt);
     markedEdge.reset();
     hoveredTexel.reset();
     emit q.hovered(std::nullopt);
@@ -48,7 +49,9 @@ void Viewport::Private::takeSurface()
 void Viewport::Private::takeChange(const Change& change)
 {
     shownTexels.forget();
-    if (renderer && !texelsDirty) {
+    if (otherTexels) {
+        setOtherTexels(std::nullopt);
+    } else if (renderer && !texelsDirty) {
         if (change.rects.empty()) {
             renderer->touchAllTexels();
         } else {
@@ -58,6 +61,20 @@ void Viewport::Private::takeChange(const Change& change)
     if (interaction == Interaction::None) {
         refreshHover(); // under a pointer that moves it follows by itself
     }
+    redraw();
+}
+
+void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
+{
+    if (!others && !otherTexels) {
+        return;
+    }
+    otherTexels = std::move(others);
+    shownTexels.forget();
+    if (renderer && !texelsDirty) {
+        renderer->touchAllTexels();
+    }
+    emit q.otherTexelsShown(otherTexels.has_value());
     redraw();
 }
 
@@ -158,7 +175,7 @@ void Viewport::Private::sendTexels(double milliseconds)
     if (!shownSurface) {
         return;
     }
-    const TexelStore& store = document.texels();
+    const TexelStore& store = texels();
     if (texelsDirty) {
         texelsDirty = false;
         renderer->setTexels(store, shownView.mipDrop);
@@ -212,7 +229,7 @@ render::Scene Viewport::Private::scene() const
     result.surface.lit = shownView.lit;
     result.surface.wireframe = shownView.wireframe;
     result.surface.texelGrid = shownView.texelGrid;
-    result.surface.hasAlpha = document.texels().format().alpha.has_value();
+    result.surface.hasAlpha = texels().format().alpha.has_value();
     result.surface.pixelRatio = static_cast<float>(q.devicePixelRatioF());
     result.overlays = overlays();
     return result;

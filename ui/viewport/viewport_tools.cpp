@@ -179,7 +179,7 @@ void Viewport::Private::pickAt(glm::dvec2 position)
         return;
     }
     // The texel as shown: what is seen is what is taken.
-    const TexelStore& store = document.texels();
+    const TexelStore& store = texels();
     const Level level = store.face(point->face).level().coarser(shownView.mipDrop);
     const TexelIndex index = texelIndex(level, texelAt(level, glm::dvec2(point->uv)));
     emit q.colorPicked(

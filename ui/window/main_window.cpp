@@ -56,6 +56,7 @@ namespace {
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kIconSize = 20;
 constexpr int kPanelWidth = 310;
+constexpr int kFitHeight = 560;
 /// Of the surface's size: a first brush that covers a few faces of most meshes.
 constexpr float kFirstRadius = 0.02F;
 
@@ -186,7 +187,7 @@ void MainWindow::makePanels()
 /// Out of the way until wanted.
 void MainWindow::makeFitPanel()
 {
-    m_fit = new FitPanel(m_document, m_settings, m_jobs, *m_viewport, fitWork());
+    m_fit = new FitPanel(m_document, m_settings, m_jobs, *m_viewport, *m_viewMap, fitWork());
     QDockWidget* fit = addPanel("fitPanel", tr("Fit to scene"), m_fit);
     tabifyDockWidget(findChild<QDockWidget*>("seamPanel"), fit);
     fit->hide();
@@ -204,7 +205,11 @@ void MainWindow::makeFitPanel()
 void MainWindow::showFit()
 {
     auto* dock = findChild<QDockWidget*>("fitPanel");
-    dock->show();
+    if (dock->isHidden()) {
+        dock->show();
+        // A plan has more to tell than the other panels beside it.
+        resizeDocks({dock}, {kFitHeight}, Qt::Vertical);
+    }
     dock->raise();
     m_fit->begin();
 }

@@ -66,6 +66,10 @@ void MapActions::makeMaps(QWidget& window)
          tr("&Error"),
          tr("Show how far the chosen filter method is from the exact answer"),
          Qt::Key_4},
+        {ViewMapKind::Fit,
+         tr("F&it to Scene"),
+         tr("Show the error that the planned fit leaves on each face"),
+         Qt::Key_5},
     };
     auto* group = new QActionGroup(this);
     for (const Choice& choice : choices) {

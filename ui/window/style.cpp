@@ -27,7 +27,7 @@ void Style::drawPrimitive(PrimitiveElement element,
                           const QWidget* widget) const
 {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (element == PE_IndicatorCheckBox) {
+    if (element == PE_IndicatorCheckBox || element == PE_IndicatorRadioButton) {
         const QPalette& palette = option->palette;
         const bool focused = (option->state & State_HasFocus) != 0;
         painter->save();
@@ -35,7 +35,13 @@ void Style::drawPrimitive(PrimitiveElement element,
         painter->setPen(focused ? palette.color(QPalette::Highlight)
                                 : halfway(palette.color(QPalette::Window),
                                           palette.color(QPalette::WindowText)));
-        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        const QRect outline = option->rect.adjusted(0, 0, -1, -1);
+        if (element == PE_IndicatorCheckBox) {
+            painter->drawRect(outline);
+        } else {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(QRectF(outline).adjusted(0.5, 0.5, -0.5, -0.5));
+        }
         painter->restore();
     }
 }

@@ -240,6 +240,46 @@ private slots:
         QVERIFY(facesThatDiffer(m_document->texels(), m_before) == expected);
     }
 
+    void allTexelsAreReplacedAsOneStepAmongOthers()
+    {
+        paint(*m_document);
+        const std::vector<std::byte> painted = allTexels(m_document->texels());
+        TexelStore coarse = m_document->texels();
+        const FaceTexels& first = coarse.face(FaceId{0});
+        coarse.exchange(FaceId{0}, FaceTexels::constant(Level(0), first.texel(0)));
+        const std::vector<std::byte> wanted = allTexels(coarse);
+        QSignalSpy levels(m_document.get(), &Document::levelsChanged);
+        QVERIFY(m_document->replaceTexels(coarse, m_document->state(), "Coarse"));
+        QCOMPARE(levels.count(), 1);
+        QVERIFY(allTexels(m_document->texels()) == wanted);
+        paint(*m_document);
+        const std::vector<std::byte> paintedAgain = allTexels(m_document->texels());
+        QCOMPARE(m_document->undoStack().count(), 3);
+        m_document->undoStack().undo();
+        QVERIFY(allTexels(m_document->texels()) == wanted);
+        m_document->undoStack().undo();
+        QVERIFY(allTexels(m_document->texels()) == painted);
+        m_document->undoStack().undo();
+        QVERIFY(facesThatDiffer(m_document->texels(), m_before).empty());
+        for (int k = 0; k < 3; ++k) {
+            m_document->undoStack().redo();
+        }
+        QVERIFY(allTexels(m_document->texels()) == paintedAgain);
+    }
+
+    void texelsMadeForAnotherStateAreRefused()
+    {
+        const StateId before = m_document->state();
+        TexelStore late = m_document->texels();
+        paint(*m_document);
+        const std::vector<std::byte> painted = allTexels(m_document->texels());
+        QSignalSpy notice(m_document.get(), &Document::notice);
+        QVERIFY(!m_document->replaceTexels(std::move(late), before, "Late"));
+        QCOMPARE(notice.count(), 1);
+        QVERIFY(allTexels(m_document->texels()) == painted);
+        QCOMPARE(m_document->undoStack().count(), 1);
+    }
+
     void openingAnotherProjectForgetsHistory()
     {
         paint(*m_document);

@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalSpy>
 #include <QThread>
 #include <QTreeWidget>
@@ -15,6 +16,9 @@
 #include "ui/docks/fit_panel.h"
 #include "ui/docks/fit_result.h"
 #include "ui/docks/value_row.h"
+#include "ui/document/view_bookmarks.h"
+#include "ui/viewport/map_legend.h"
+#include "ui/viewport/view_map.h"
 
 #include <atomic>
 #include <memory>
@@ -56,14 +60,16 @@ private slots:
         for (const std::uint32_t face : {9U, 10U, 11U}) {
             fillFace(face);
         }
-        paintNoise(9);
-        m_window->viewport().lookFrom(0, 0, 0.3); // a texel is smaller than a pixel
+        paintNoise(9, 1);
+        paintNoise(24, 0.01);                     // which a lower level keeps well enough
+        m_window->viewport().lookFrom(0, 0, 0.3);
         m_work = std::make_shared<HeldWork>();
         m_panel =
             std::make_unique<FitPanel>(document(),
                                        m_window->settings(),
                                        m_window->jobs(),
                                        m_window->viewport(),
+                                       m_window->viewMap(),
                                        [work = m_work](const FitInput& input, Progress& progress) {
                                            return work->run(input, progress);
                                        });
@@ -81,6 +87,7 @@ private slots:
     void planIsShownBeforeItIsAppliedAsOneStep()
     {
         const std::vector<std::byte> before = allTexels(document().texels());
+        addPresentView(); // a step of its own
         const int steps = document().undoStack().count();
         plan();
         const FitPlan& fit = m_panel->run().outcome()->fit.plan;
@@ -140,6 +147,88 @@ private slots:
         click("Use the fastest method");
         QVERIFY(m_window->settings().method() == method->method);
         QVERIFY(!button("Use the fastest method")->isEnabled());
+    }
+
+    void errorsAreMappedOverTheViewUntilApplied()
+    {
+        plan();
+        QCOMPARE(m_window->settings().view().map, ViewMapKind::Fit);
+        QVERIFY(choice("Show the errors of the fit")->isChecked());
+        ViewMap& map = m_window->viewMap();
+        QTRY_VERIFY(map.isComplete());
+        const FitPlan& fit = m_panel->run().outcome()->fit.plan;
+        for (const std::uint32_t face : {2U, 9U, 10U, 20U}) {
+            const auto value = map.valueAt(placeOf(face));
+            QVERIFY(value);
+            QCOMPARE(*value, fit.errors[FaceId{face}]);
+        }
+        QVERIFY(fit.errors[FaceId{9}] != fit.errors[FaceId{20}]);
+        QVERIFY2(map.legend().title().contains("tolerance"), qPrintable(map.legend().title()));
+        click("Apply the plan");
+        QCOMPARE(m_window->settings().view().map, ViewMapKind::None);
+        QVERIFY(choice("Show the texels as they are")->isChecked());
+    }
+
+    void facesInNoViewHaveNoErrorOnTheMap()
+    {
+        const render::CameraPose far = m_window->viewport().camera().pose();
+        m_window->viewport().frameFace(FaceId{20});
+        plan();
+        const FitPlan& fit = m_panel->run().outcome()->fit.plan;
+        QVERIFY(fit.unseenFaces > 0);
+        QVERIFY(text("Faces").contains("in no view"));
+        m_window->viewport().setCamera(far);
+        ViewMap& map = m_window->viewMap();
+        QTRY_VERIFY(map.isComplete());
+        QVERIFY(map.valueAt(placeOf(20)));
+        QVERIFY(!map.valueAt(placeOf(0)));
+    }
+
+    void fittedTexelsAreShownWithoutChangingAny()
+    {
+        m_window->settings().setView({.lit = false, .footprint = false});
+        const std::vector<std::byte> before = allTexels(document().texels());
+        plan();
+        choice("Show the texels as they are")->click();
+        m_window->viewport().frameFace(FaceId{24}); // so close that no fit would do
+        const QImage now = picture();
+        QTest::mouseClick(choice("Show the fitted texels"), Qt::LeftButton, {}, QPoint(8, 8));
+        QCOMPARE(m_window->settings().view().map, ViewMapKind::None);
+        QVERIFY(m_window->viewport().showsOtherTexels());
+        const QImage fitted = picture();
+        QVERIFY(document().texels().face(FaceId{24}).level() !=
+                m_panel->run().outcome()->fit.fitted.face(FaceId{24}).level());
+        QVERIFY(fitted != now);
+        QVERIFY(allTexels(document().texels()) == before);
+        QTest::keyClick(choice("Show the fitted texels"), Qt::Key_Left);
+        QVERIFY(choice("Show the texels as they are")->isChecked());
+        QVERIFY(picture() == now);
+        QTest::mouseClick(choice("Show the fitted texels"), Qt::LeftButton, {}, QPoint(8, 8));
+        click("Apply the plan");
+        QVERIFY(!m_window->viewport().showsOtherTexels());
+        QVERIFY(picture() == fitted);
+    }
+
+    void paintingShowsTheDocumentsOwnTexelsAgain()
+    {
+        plan();
+        choice("Show the fitted texels")->click();
+        QVERIFY(m_window->viewport().showsOtherTexels());
+        fillFace(20);
+        QVERIFY(!m_window->viewport().showsOtherTexels());
+        QVERIFY(choice("Show the texels as they are")->isChecked());
+        QVERIFY(!choice("Show the fitted texels")->isEnabled());
+    }
+
+    void namesOfViewsMayChangeWithoutHarmToThePlan()
+    {
+        plan();
+        document().bookmarks().rename(0, "Hero");
+        QCOMPARE(views()->item(0)->text(), QString("Hero"));
+        QVERIFY(m_panel->isCurrent());
+        click("Apply the plan");
+        QCOMPARE(document().texels().texelCount(),
+                 m_panel->run().outcome()->fit.plan.cost.texelsAfter);
     }
 
     void cancelLeavesEverythingAsItWas()
@@ -288,14 +377,14 @@ private slots:
     }
 
 private:
-    /// Every texel of a face another value.
-    void paintNoise(std::uint32_t face)
+    /// Every texel of a face another value, in some part of the range below the grid's grey.
+    void paintNoise(std::uint32_t face, double part)
     {
         FaceTexels texels = document().texels().face(FaceId{face});
         std::uint32_t seed = 1;
         for (std::byte& value : texels.writable()) {
             seed = seed * 1664525 + 1013904223;
-            value = static_cast<std::byte>(seed >> 24U);
+            value = static_cast<std::byte>(204 - part * 204 * (seed >> 24U) / 255);
         }
         TexelPatch patch;
         patch.addFace(FaceId{face}, std::move(texels));
@@ -308,6 +397,20 @@ private:
         }
         click("Plan the fit");
         QTRY_VERIFY_WITH_TIMEOUT(!m_panel->run().isRunning() && m_panel->run().outcome(), 30000);
+    }
+    QRadioButton* choice(const QString& name) { return widgetNamed<QRadioButton>(*m_panel, name); }
+    QImage picture()
+    {
+        m_window->viewport().settle();
+        return m_window->viewport().grabFramebuffer();
+    }
+    QPointF placeOf(std::uint32_t face)
+    {
+        const glm::vec2 uv(1.0F / 3);
+        const auto corners = document().surface()->mesh().corners(FaceId{face});
+        const auto at =
+            m_window->viewport().widgetPosition({FaceId{face}, uv, pointAt(corners, uv.x, uv.y)});
+        return at.value_or(QPointF(-1, -1));
     }
     void addPresentView() { click("Add the present view"); }
     QPushButton* button(const QString& name) { return widgetNamed<QPushButton>(*m_panel, name); }
