@@ -72,7 +72,7 @@ ProbeCap probeCap(const ProbeSettings& settings);
 /// Where to probe for some queries: structure of arrays, one place a query.
 struct ProbePlans
 {
-    static constexpr std::size_t kSize = 64;
+    static constexpr std::size_t kSize = 128;
 
     alignas(64) double u[kSize]; ///< centre, inside the face; its middle where not finite
     alignas(64) double v[kSize];

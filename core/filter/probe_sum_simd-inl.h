@@ -4,6 +4,7 @@
 // channels at a time the sum. Included once per instruction set (see Highway).
 #include "core/filter/probe_plan.h"
 #include "core/filter/probe_walk.h"
+#include "core/filter/texel_detail.h"
 
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -22,15 +23,24 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The three vertices that each probe reads at a level: two beside each other in a row of the
 /// lattice and one in the row above or below.
-struct Reads
+struct LevelReads
 {
-    static constexpr std::size_t kRoom = kRoomPerLine + 64;
+    static constexpr std::size_t kRoom = TexelReads::kRoom;
 
     alignas(64) std::int32_t pair[kRoom]; ///< floats from the probe's values
     alignas(64) std::int32_t single[kRoom];
     alignas(64) float first[kRoom]; ///< weights of the pair's first and second
     alignas(64) float second[kRoom];
     alignas(64) float third[kRoom];
+};
+
+/// What consecutive probes of some lines read.
+struct Reads
+{
+    std::size_t begin = 0, end = 0; ///< places of these probes
+    LevelReads fine, coarse;
+    alignas(64) float weight[LevelReads::kRoom];
+    TexelReads texels; ///< of lines that have some
 };
 
 using DD = hn::ScalableTag<double>;
@@ -49,7 +59,7 @@ struct LatticeLanes
 
 /// \param below  vertices from the level to the probe's `values`
 HWY_INLINE void
-storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k, Reads& reads)
+storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k, LevelReads& reads)
 {
     const DF d;
     const DI di;
@@ -78,50 +88,27 @@ storeReads(const LatticeLanes& at, VI below, VI stride, VF weight, std::size_t k
     hn::Store(hn::Mul(weight, third), d, reads.third + k);
 }
 
-/// Fills reads at both levels; returns the sum of the weights.
+/// Fills weights and reads at both levels.
+///
 /// \param c  falloff of the weights, see `ProbeLine`
-HWY_INLINE float findReads(ProbeArrays& probes,
-                           const ProbeRange& range,
-                           double support,
-                           double c,
-                           float coarse,
-                           Reads& fineReads,
-                           Reads& coarseReads)
+HWY_INLINE void findReads(const ProbeArrays& probes, double c, Reads& reads)
 {
     const DD dd;
     const DF d;
     const DI di;
-    const std::size_t lanes = hn::Lanes(dd);
-    for (std::size_t k = range.first + range.count; k % lanes != 0; ++k) { // of the last register
-        probes.u[k] = probes.v[k] = 0;
-        probes.scale[k] = 1;
-        probes.place[k] = probes.share[k] = 0;
-        probes.stride[k] = 0;
-    }
-    const int coarser = std::max(range.fine - 1, 0);
-    const auto begin = [](int level) {
-        return static_cast<std::int32_t>(ConformingPyramid::levelBegin(Level(level)) /
-                                         kGroupChannels);
-    };
-    const VI below = hn::Set(di, begin(range.fine) - begin(coarser));
-    const VI fineResolution =
-        hn::Set(di, static_cast<std::int32_t>(Level(range.fine).resolution()));
-    const VF perSupport = hn::Set(d, static_cast<float>(1 / support));
     const VF falloff = hn::Set(d, static_cast<float>(-c));
     const VF pedestal = hn::Set(d, static_cast<float>(std::exp(-c)));
-
-    VF total = hn::Zero(d);
-    for (std::size_t k = 0; k < range.count; k += lanes) {
-        const std::size_t p = range.first + k;
-        const VF x = hn::Mul(hn::Load(d, probes.place + p), perSupport);
+    for (std::size_t p = reads.begin; p < reads.end; p += hn::Lanes(dd)) {
+        const std::size_t k = p - reads.begin;
+        const VF x = hn::LoadU(d, probes.place + p);
         const VF bell = hn::Sub(hn::Exp(d, hn::Mul(falloff, hn::Mul(x, x))), pedestal);
         // Never nothing: at a border one probe may be all there is.
-        const VF weight = hn::Mul(hn::Max(bell, hn::Set(d, 1e-6F)), hn::Load(d, probes.share + p));
-        total = hn::Add(total, weight);
+        const VF weight = hn::Mul(hn::Max(bell, hn::Set(d, 1e-6F)), hn::LoadU(d, probes.share + p));
+        hn::Store(weight, d, reads.weight + k);
 
-        const auto scale = hn::Load(dd, probes.scale + p);
-        const auto u = hn::Mul(hn::Load(dd, probes.u + p), scale);
-        const auto v = hn::Mul(hn::Load(dd, probes.v + p), scale);
+        const auto scale = hn::LoadU(dd, probes.scale + p);
+        const auto u = hn::Mul(hn::LoadU(dd, probes.u + p), scale);
+        const auto v = hn::Mul(hn::LoadU(dd, probes.v + p), scale);
         LatticeLanes at;
         at.resolution = hn::DemoteTo(di, scale);
         const VI last = hn::Sub(at.resolution, hn::Set(di, 1));
@@ -134,12 +121,11 @@ HWY_INLINE float findReads(ProbeArrays& probes,
         };
         at.x = inCell(u, at.i);
         at.y = inCell(v, at.j);
-        const VI stride = hn::Load(di, probes.stride + p);
-        // A face that is coarser than the fine level has one level to read.
-        const auto isBlended = hn::RebindMask(d, hn::Eq(at.resolution, fineResolution));
-        const VF share = hn::IfThenElseZero(isBlended, hn::Set(d, coarse));
-        storeReads(at, none, stride, hn::NegMulAdd(weight, share, weight), k, fineReads);
-        if (coarse > 0) {
+        const VI stride = hn::LoadU(di, probes.stride + p);
+        const VF share = hn::LoadU(d, probes.coarse + p);
+        storeReads(at, none, stride, hn::NegMulAdd(weight, share, weight), k, reads.fine);
+        const auto isBlended = hn::Gt(share, hn::Zero(d));
+        if (!hn::AllFalse(d, isBlended)) {
             const VI odd = hn::Set(di, 1);
             const VF half = hn::Set(d, 0.5F);
             LatticeLanes parent;
@@ -148,11 +134,13 @@ HWY_INLINE float findReads(ProbeArrays& probes,
             parent.i = hn::ShiftRight<1>(at.i);
             parent.j = hn::ShiftRight<1>(at.j);
             parent.resolution = hn::ShiftRight<1>(at.resolution);
-            const VI blended = hn::IfThenElseZero(hn::Eq(at.resolution, fineResolution), stride);
-            storeReads(parent, below, blended, hn::Mul(weight, share), k, coarseReads);
+            // All vertices of the coarser level come before those of the finer one.
+            const VI next = hn::Add(parent.resolution, odd);
+            const VI below = hn::ShiftRight<1>(hn::Mul(next, hn::Add(next, odd)));
+            const VI blended = hn::IfThenElseZero(hn::RebindMask(di, isBlended), stride);
+            storeReads(parent, below, blended, hn::Mul(weight, share), k, reads.coarse);
         }
     }
-    return hn::GetLane(hn::SumOfLanes(d, total));
 }
 
 /// Four channels: one register, or four where registers hold one value. Sums differences from one
@@ -170,7 +158,7 @@ public:
         }
     }
 
-    HWY_INLINE void add(const float* values, const Reads& reads, std::size_t k)
+    HWY_INLINE void add(const float* values, const LevelReads& reads, std::size_t k)
     {
         const D4 d;
         const float* pair = values + reads.pair[k];

@@ -114,22 +114,26 @@ forFaces(const FilterSurface& surface, const LineInFace& first, double reach, co
 struct ProbeWriter
 {
     const FilterScene& scene;
-    int fine;
+    ProbeRange& range;
     ProbeArrays& probes;
-    std::size_t at;
+    double perSupport;
 
     void put(FaceId face, glm::dvec2 uv, double place, double share)
     {
-        const ConformingPyramid::Finest finest = scene.pyramid().finest(face, Level(fine));
+        const Level fine(range.fine);
+        const ConformingPyramid::Finest finest = scene.pyramid().finest(face, fine);
+        const std::size_t at = range.first + range.count;
         probes.u[at] = uv.x;
         probes.v[at] = uv.y;
         probes.scale[at] = finest.level.resolution();
         probes.values[at] = finest.values;
         probes.stride[at] = static_cast<std::int32_t>(finest.stride);
-        probes.place[at] = static_cast<float>(place);
+        probes.place[at] = static_cast<float>(place) * static_cast<float>(perSupport);
         probes.share[at] = static_cast<float>(share);
+        probes.coarse[at] = finest.level < fine ? 0 : range.coarse;
         probes.face[at] = face;
-        ++at;
+        range.beyond |= finest.level < fine;
+        ++range.count;
     }
 };
 
@@ -156,13 +160,13 @@ void placeSide(const FilterSurface& surface, const LineInFace& first, double end
 
 } // namespace
 
-std::size_t placeProbes(const FilterScene& scene,
-                        const ProbeLine& line,
-                        int fine,
-                        std::size_t first,
-                        ProbeArrays& probes)
+void placeProbes(const FilterScene& scene,
+                 const ProbeLine& line,
+                 ProbeRange& range,
+                 ProbeArrays& probes)
 {
-    ProbeWriter out{scene, fine, probes, first};
+    range.count = 0;
+    ProbeWriter out{scene, range, probes, 1 / line.support};
     if (line.hasDirection()) {
         const double reach = line.perSide();
         for (const double way : {1.0, -1.0}) {
@@ -175,10 +179,9 @@ std::size_t placeProbes(const FilterScene& scene,
             }
         }
     }
-    if (out.at == first) { // no step lies on the surface
+    if (range.count == 0) { // no step lies on the surface
         out.put(line.face, line.centre, 0.5, 1);
     }
-    return out.at - first;
 }
 
 } // namespace trixel

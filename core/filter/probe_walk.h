@@ -25,8 +25,9 @@ struct ProbeArrays
     alignas(64) double scale[kRoom]; ///< resolution of the level to read: the face may be coarser
     alignas(64) const float* values[kRoom]; ///< vertices of that level, first group
     alignas(64) std::int32_t stride[kRoom]; ///< floats from vertex to vertex
-    alignas(64) float place[kRoom];         ///< in steps from the centre, in either direction
+    alignas(64) float place[kRoom];         ///< from the centre, in either direction, in supports
     alignas(64) float share[kRoom];         ///< of its step that lies on the surface
+    alignas(64) float coarse[kRoom]; ///< weight of the level below; 0 where the face has but one
     FaceId face[kRoom];
 };
 
@@ -36,9 +37,11 @@ inline constexpr int kMostSegments = 512;
 /// Probes of one line among those of all.
 struct ProbeRange
 {
-    std::size_t first = 0; ///< a multiple of the lanes
+    std::size_t first = 0;
     std::size_t count = 0;
-    int fine = 0; ///< number of the finer level
+    int fine = 0;        ///< number of the finer level
+    float coarse = 0;    ///< weight of the coarser level
+    bool beyond = false; ///< whether the finer level is beyond some face's own
 };
 
 /// A vertex no further to the left of a line counts as right of it, as one on the line does; in
@@ -47,13 +50,11 @@ inline constexpr double kSideRounding = 1e-12;
 
 /// Places the probes of one line, with care for borders. A probe stands for the step around it;
 /// where a border cuts that, it moves to the middle of what is left and counts for as much.
-/// \param fine   number of the finest level to read
-/// \param first  place of the line's first probe; there is room for perSide() to either side
-/// \return       probes, at least one
-std::size_t placeProbes(const FilterScene& scene,
-                        const ProbeLine& line,
-                        int fine,
-                        std::size_t first,
-                        ProbeArrays& probes);
+/// \param range  of the line's probes, of which there may be perSide() to either side: `count` is
+///               set, to at least one, and `beyond` where it is so
+void placeProbes(const FilterScene& scene,
+                 const ProbeLine& line,
+                 ProbeRange& range,
+                 ProbeArrays& probes);
 
 } // namespace trixel

@@ -38,11 +38,12 @@ TexelCell cellAt(glm::dvec2 uv, std::int32_t resolution)
 
 /// Takes the share of the texels from one probe's vertices.
 /// \param share  of the probe's weight
-void shareOut(const TexelCell& cell,
-              float share,
-              const std::array<float*, 3>& vertices,
-              TexelReads& reads,
-              std::size_t k)
+/// \return       texels that are read
+std::size_t shareOut(const TexelCell& cell,
+                     float share,
+                     const std::array<float*, 3>& vertices,
+                     TexelReads& reads,
+                     std::size_t k)
 {
     std::array<std::size_t, 3> order = {0, 1, 2};
     const auto put = [&](std::size_t a, std::size_t b) {
@@ -64,47 +65,41 @@ void shareOut(const TexelCell& cell,
     reads.other[k] = inside ? static_cast<std::uint32_t>(across) : cell.own;
     reads.ownWeight[k] = inside ? middle + 2 * least : 3 * least;
     reads.otherWeight[k] = inside ? middle - least : 0.0F;
-    reads.count += inside ? 2 : 1;
     const float ofMiddle = inside ? middle : least;
     p -= ofMiddle;
     q -= ofMiddle;
     r -= least;
+    return inside ? 2 : 1;
 }
 
 } // namespace
 
-void findTexels(const ProbeArrays& probes,
-                const ProbeRange& range,
-                float coarse,
-                VertexWeights weights,
-                TexelReads& reads)
+std::size_t findTexels(const ProbeArrays& probes,
+                       const ProbeRange& range,
+                       VertexWeights weights,
+                       std::size_t at,
+                       TexelReads& reads)
 {
     const double* scales = probes.scale + range.first;
     const double* u = probes.u + range.first;
     const double* v = probes.v + range.first;
-    reads.count = 0;
     const double fine = Level(range.fine).resolution();
-    bool any = false;
-    for (std::size_t k = 0; k < range.count; ++k) {
-        any |= scales[k] < fine;
-    }
-    if (!any) {
-        return;
-    }
+    std::size_t count = 0;
     for (std::size_t k = 0; k < range.count; ++k) {
         if (scales[k] < fine) {
             const auto resolution = static_cast<std::int32_t>(scales[k]);
-            const float share = 2 * scales[k] < fine ? 1.0F : 1.0F - coarse;
-            shareOut(cellAt({u[k], v[k]}, resolution),
-                     share,
-                     {weights.first + k, weights.second + k, weights.third + k},
-                     reads,
-                     k);
+            const float share = 2 * scales[k] < fine ? 1.0F : 1.0F - range.coarse;
+            count += shareOut(cellAt({u[k], v[k]}, resolution),
+                              share,
+                              {weights.first + k, weights.second + k, weights.third + k},
+                              reads,
+                              at + k);
         } else {
-            reads.own[k] = reads.other[k] = 0;
-            reads.ownWeight[k] = reads.otherWeight[k] = 0;
+            reads.own[at + k] = reads.other[at + k] = 0;
+            reads.ownWeight[at + k] = reads.otherWeight[at + k] = 0;
         }
     }
+    return count;
 }
 
 } // namespace trixel

@@ -19,13 +19,12 @@ namespace trixel {
 /// Two texels of the base that a probe reads, and how much they count; nothing: it reads none.
 struct TexelReads
 {
-    static constexpr std::size_t kRoom = kRoomPerLine + 64;
+    static constexpr std::size_t kRoom = 3 * kRoomPerLine;
 
     alignas(64) std::uint32_t own[kRoom]; ///< packed order
     alignas(64) std::uint32_t other[kRoom];
     alignas(64) float ownWeight[kRoom];
     alignas(64) float otherWeight[kRoom];
-    std::size_t count = 0; ///< texels that are read
 };
 
 /// Shares of a probe's weight that its three vertices have: two beside each other in a row of the
@@ -37,13 +36,16 @@ struct VertexWeights
     float* third;
 };
 
-/// Finds the texels of the probes of a line whose face is coarser than its fine level, and takes
-/// from their vertices what the texels get. \param coarse   weight of the level below the fine one,
-/// which the base of a face may be \param weights  of the base's vertices; changed
-void findTexels(const ProbeArrays& probes,
-                const ProbeRange& range,
-                float coarse,
-                VertexWeights weights,
-                TexelReads& reads);
+/// Finds the texels of those probes of a line whose face is coarser than its fine level, and takes
+/// from their vertices what the texels get.
+///
+/// \param weights  of the base's vertices, from the line's first probe on; changed
+/// \param at       place of that probe among the reads
+/// \return         texels that are read
+std::size_t findTexels(const ProbeArrays& probes,
+                       const ProbeRange& range,
+                       VertexWeights weights,
+                       std::size_t at,
+                       TexelReads& reads);
 
 } // namespace trixel
