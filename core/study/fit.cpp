@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace trixel {
 namespace {
@@ -14,87 +16,126 @@ namespace {
 /// Part of the tolerance that patches may use. They are judged as if all of a picture were as close
 /// as a covered view can be and seen from straight above; most of any picture is not, so that parts
 /// of patches and points between the samples are allowed for already.
-constexpr double kSafety = 0.85;
+constexpr double kSafety = 0.9;
+/// Steps of the search for texels: where all faces give up as many levels, in each round of
+/// planning, and before the plan is judged.
+constexpr int kMeasuringSteps = 20;
+constexpr int kPlanningSteps = 16;
+constexpr int kJudgedSteps = 16;
+/// Rounds of planning, and rounds in which `exact` judges: at least so many, then as many as it
+/// takes.
+constexpr int kPlanningRounds = 6;
+constexpr int kSettlingRounds = 4;
 /// Times that a plan is mended before its failing patches take all their texels back.
-constexpr int kGentleRounds = 6;
+constexpr int kGentleRounds = 12;
 constexpr int kMostRounds = 24;
+/// Parts of the room left that are used in the first round, and in one of the others.
+constexpr double kFirstPart = 0.8;
+constexpr double kPart = 0.6;
+/// Part of the texels that another round must be expected to save.
+constexpr double kLeastSaved = 0.01;
+/// Part of a face's square error that is expected to go when it gets a level back.
+constexpr double kGain = 0.7;
 
 class Fitter
 {
 public:
     Fitter(const FitSource& source, const Surface& surface, double tolerance, Threads threads)
         : m_source(source)
-        , m_surface(surface)
         , m_most(kSafety * kSafety * tolerance * tolerance)
         , m_threads(threads)
-        , m_exact(makeMethod({"exact", std::nullopt}))
         , m_coarsener(source)
         , m_before(levelsOf(source.texels))
         , m_patches(fitPatches(surface.adjacency(), source.samples))
-        , m_steps(source.texels.faceCount())
+        , m_steps(source.texels.faceCount(), 0)
+        , m_squares(source.texels.faceCount(), 0)
     {
-        m_was = seen(source.scene);
     }
 
     /// Measures every face at every level, all faces together.
-    Result<FitOptions> measure(Progress& progress)
+    Status measure(Progress& progress)
     {
-        FitOptions options;
-        options.errors.emplace_back(m_source.texels.faceCount());
+        StageProgress before(progress, 0, 0.1);
+        auto was = seen(m_source.scene, before);
+        if (!was) {
+            return tl::unexpected(was.error());
+        }
+        m_was = std::move(*was);
+        m_options.errors.emplace_back(m_before.size(), 0);
         const int deepest = std::ranges::max(m_before.values(), {}, &Level::log2).log2();
         for (int k = 1; k <= deepest; ++k) {
             // Each round has a quarter of the texels of the one before.
-            StageProgress round(progress, 1 - std::pow(0.5, k - 1), 1 - std::pow(0.5, k));
-            FaceMap<int> steps(m_source.texels.faceCount(), k);
-            auto squares = squaresOf(levelsAfter(steps), round);
-            if (!squares) {
-                return tl::unexpected(squares.error());
+            StageProgress round(
+                progress, 1 - 0.9 * std::pow(0.5, k - 1), 1 - 0.9 * std::pow(0.5, k));
+            m_steps = FaceMap<int>(m_before.size(), k);
+            if (const Status status = fit(kMeasuringSteps, round); !status) {
+                return status;
             }
-            options.errors.push_back(std::move(*squares));
-            if (!anyPasses(options.errors.back())) {
+            m_options.errors.push_back(m_fitted.squares);
+            if (!anyPasses(m_options.errors.back())) {
                 break;
             }
         }
-        return options;
+        return {};
     }
 
-    void choose(const FitOptions& options)
+    /// Chooses steps, and again and again gives some back where patches err too much and takes more
+    /// where they err too little, learning what faces err among others that take other steps.
+    Status choose(Progress& progress)
     {
-        for (std::size_t p = 0; p < m_patches.size(); ++p) {
-            chooseSteps(m_patches.patch(p), m_source.samples, options, m_before, m_most, m_steps);
+        m_steps = FaceMap<int>(m_before.size(), 0);
+        give(kFirstPart);
+        for (int round = 0; round < kPlanningRounds; ++round) {
+            StageProgress part(
+                progress, double(round) / kPlanningRounds, (round + 1.0) / kPlanningRounds);
+            if (const Status status = fit(kPlanningSteps, part); !status) {
+                return status;
+            }
+            m_squares = m_fitted.squares;
+            learn();
+            if (!adjust(0) && round > 0) {
+                break;
+            }
         }
+        return {};
     }
 
-    /// Judges the plan as a whole and takes back steps where neighbours spoil each other, until
-    /// every patch is within bounds.
-    Status mend(Progress& progress)
+    /// The same with `exact` as the judge. Keeps the best plan that holds.
+    Status settle(Progress& progress)
     {
         for (int round = 0; round < kMostRounds; ++round) {
-            StageProgress part(progress, double(round) / kMostRounds, (round + 1.0) / kMostRounds);
-            auto squares = squaresOf(levelsAfter(m_steps), part);
-            if (!squares) {
-                return tl::unexpected(squares.error());
+            // Fewer and fewer are needed.
+            StageProgress part(progress, 1 - std::pow(0.7, round), 1 - std::pow(0.7, round + 1));
+            if (const Status status = judge(part); !status) {
+                return status;
             }
-            m_squares = std::move(*squares);
-            if (!mendOnce(round)) {
+            const bool holds = !isAnyExceeded();
+            if (holds && (!m_best || texelsOf(m_steps) < texelsOf(m_best->steps))) {
+                m_best = {m_steps, m_fitted, m_squares};
+            }
+            if (m_best && round + 1 >= kSettlingRounds) {
+                return {};
+            }
+            learn();
+            const bool matters = round + 2 < kSettlingRounds ? adjust(round) : mendOnce(round);
+            if (holds && !matters) {
                 return {};
             }
         }
         // No plan was found that holds: leave every seen face as it is.
-        for (std::size_t f = 0; f < m_before.size(); ++f) {
-            m_steps[faceId(f)] = 0;
-        }
+        m_steps = FaceMap<int>(m_before.size(), 0);
         StageProgress last(progress, 1, 1);
-        auto squares = squaresOf(levelsAfter(m_steps), last);
-        if (!squares) {
-            return tl::unexpected(squares.error());
-        }
-        m_squares = std::move(*squares);
-        return {};
+        const Status status = judge(last);
+        m_best = {m_steps, m_fitted, m_squares};
+        return status;
     }
 
-    FitPlan plan() const
+    /// The best plan of `settle`.
+    FitPlan plan()
     {
+        m_steps = m_best->steps;
+        m_fitted = m_best->fitted;
+        m_squares = m_best->squares;
         FitPlan plan;
         plan.levels = levelsAfter(m_steps);
         plan.cost = levelCost(m_source.texels, plan.levels);
@@ -111,8 +152,8 @@ public:
             plan.unseenFaces += isSeen ? 0 : 1;
             sum += m_squares[face] * m_source.samples.pixels[face];
             pixels += m_source.samples.pixels[face];
-            if (plan.levels[face] != m_before[face]) {
-                plan.fitted.addFace(face, m_texels.face(face));
+            if (plan.levels[face] != m_before[face] || m_fitted.isMoved[face] != 0) {
+                plan.fitted.addFace(face, m_fitted.texels.face(face));
             }
         }
         plan.rms = pixels > 0 ? std::sqrt(sum / pixels) : 0;
@@ -123,12 +164,9 @@ public:
     }
 
 private:
-    std::vector<float> seen(const FilterScene& scene) const
+    Result<std::vector<float>> seen(const FilterScene& scene, Progress& progress) const
     {
-        ResultArrays results(m_source.samples.queries.size(), scene.channels());
-        filterParallel(
-            *m_exact, scene, m_source.samples.queries.queries(), results.results(), m_threads);
-        return std::move(results.values);
+        return seenThroughExact(scene, m_source.samples.queries, m_threads, progress);
     }
 
     FaceMap<Level> levelsAfter(const FaceMap<int>& steps) const
@@ -142,21 +180,85 @@ private:
         return levels;
     }
 
-    /// Makes the texels and compares what is seen of them with what was.
-    Result<FaceMap<double>> squaresOf(const FaceMap<Level>& levels, Progress& progress)
+    /// Makes the texels of the steps.
+    Status fit(int searchSteps, Progress& progress)
     {
-        StageProgress making(progress, 0, 0.8);
-        auto texels = m_coarsener.coarsened(levels, m_threads, making);
-        if (!texels) {
-            return tl::unexpected(texels.error());
+        auto fitted = m_coarsener.fitted(levelsAfter(m_steps), searchSteps, m_threads, progress);
+        if (!fitted) {
+            return tl::unexpected(fitted.error());
         }
-        m_texels = std::move(*texels);
-        StageProgress looking(progress, 0.8, 1);
-        const auto scene = FilterScene::build(m_source.shapes, m_texels, m_threads, looking);
+        m_fitted = std::move(*fitted);
+        return {};
+    }
+
+    /// Mends and gives. Whether that matters: something was mended, or texels are saved.
+    bool adjust(int round)
+    {
+        const auto before = static_cast<double>(texelsOf(m_steps));
+        const bool mended = mendOnce(round);
+        give(kPart);
+        return mended || static_cast<double>(texelsOf(m_steps)) < (1 - kLeastSaved) * before;
+    }
+
+    /// Gives up levels where there is room.
+    void give(double part)
+    {
+        chooseSteps(m_patches, m_source.samples, m_options, m_before, m_most, part, m_steps);
+    }
+
+    std::uint64_t texelsOf(const FaceMap<int>& steps) const
+    {
+        return levelCost(m_source.texels, levelsAfter(steps)).texelsAfter;
+    }
+
+    bool isAnyExceeded() const
+    {
+        for (std::size_t p = 0; p < m_patches.size(); ++p) {
+            if (!(meanSquare(p) <= m_most)) { // so written that infinity exceeds
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Makes the texels and compares what `exact` sees of them with what it saw.
+    Status judge(Progress& progress)
+    {
+        StageProgress making(progress, 0, 0.7);
+        if (const Status status = fit(kJudgedSteps, making); !status) {
+            return status;
+        }
+        StageProgress building(progress, 0.7, 0.75);
+        const auto scene =
+            FilterScene::build(m_source.shapes, m_fitted.texels, m_threads, building);
         if (!scene) {
             return tl::unexpected(scene.error());
         }
-        return meanSquares(m_source.samples, m_was, seen(*scene), scene->channels());
+        StageProgress looking(progress, 0.75, 1);
+        const auto now = seen(*scene, looking);
+        if (!now) {
+            return tl::unexpected(now.error());
+        }
+        m_squares = meanSquares(m_source.samples, m_was, *now, scene->channels());
+        return {};
+    }
+
+    /// Expects of every face at its step what was found, and of its other steps more or less
+    /// likewise.
+    void learn()
+    {
+        const double least = 1e-4 * m_most;
+        for (std::size_t f = 0; f < m_before.size(); ++f) {
+            const FaceId face = faceId(f);
+            const auto step = static_cast<std::size_t>(m_steps[face]);
+            const double found = m_squares[face];
+            const double ratio =
+                std::clamp((found + least) / (m_options.errors[step][face] + least), 0.1, 10.0);
+            m_options.errors[step][face] = found;
+            for (std::size_t k = 1; step > 0 && k < m_options.errors.size(); ++k) {
+                m_options.errors[k][face] *= k == step ? 1 : std::sqrt(ratio);
+            }
+        }
     }
 
     double meanSquare(std::size_t p) const
@@ -174,38 +276,6 @@ private:
         return false;
     }
 
-    /// Faces about a vertex may give up at most one level more than the others: among much finer
-    /// ones the filter's floor, which runs smoothly over vertices, is too small for a coarse face,
-    /// and its texels show.
-    void smooth()
-    {
-        const VertexRings& rings = m_source.shapes->rings();
-        bool changed = true;
-        while (changed) {
-            changed = false;
-            for (std::size_t r = 0; r < rings.ringCount(); ++r) {
-                const auto corners = rings.corners(static_cast<RingId>(r));
-                int least = Level::kMax;
-                for (const Corner& corner : corners) {
-                    least = std::min(least, given(corner.face));
-                }
-                for (const Corner& corner : corners) {
-                    if (m_steps[corner.face] > least + 1) {
-                        m_steps[corner.face] = least + 1;
-                        changed = true;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Levels that a face gives up; any number where it is at level 0 or not seen.
-    int given(FaceId face) const
-    {
-        const bool lowest = m_steps[face] >= m_before[face].log2();
-        return lowest || !m_source.samples.isSeen(face) ? Level::kMax : m_steps[face];
-    }
-
     /// Whether anything had to be taken back.
     bool mendOnce(int round)
     {
@@ -219,8 +289,17 @@ private:
         return failed;
     }
 
-    /// Gives the faces that err most a level back, as many as it should take; or all faces of the
-    /// patch and about it all of theirs. False where there was nothing left to give.
+    /// A face to give a level back, or all about one that has none to give but suffers from them.
+    struct Mending
+    {
+        FaceId face{};
+        double errorPerTexel = 0;
+    };
+
+    /// Gives faces of the patch a level back, those first that err most for the texels they get, as
+    /// many as it should take; or all faces of the patch and about it all of theirs. False where
+    /// there was nothing left to give. What should be gained is taken off m_squares, so that
+    /// patches that overlap do not mend the same twice.
     bool takeBack(std::size_t p, bool all)
     {
         const auto patch = m_patches.patch(p);
@@ -231,31 +310,50 @@ private:
             }
             return changed;
         }
-        std::vector<FaceId> byError(patch.begin(), patch.end());
-        const auto weight = [&](FaceId face) {
-            return m_squares[face] * m_source.samples.pixels[face];
-        };
-        std::ranges::stable_sort(byError,
-                                 [&](FaceId a, FaceId b) { return weight(a) > weight(b); });
+        std::vector<Mending> mendings;
         double excess = 0;
         for (const FaceId face : patch) {
-            excess += weight(face) - m_most * m_source.samples.pixels[face];
+            const double error = m_squares[face] * m_source.samples.pixels[face];
+            excess += error - m_most * m_source.samples.pixels[face];
+            const double texels = texelsToMend(face);
+            if (texels > 0) {
+                mendings.push_back({face, error / texels});
+            }
         }
+        std::ranges::stable_sort(mendings, std::greater(), &Mending::errorPerTexel);
         bool changed = false;
-        for (const FaceId face : byError) {
+        for (const Mending& mending : mendings) {
             if (changed && !(excess > 0)) {
                 break;
             }
-            bool gained = lower(face, 1);
-            if (!gained) { // it suffers from those about it
-                forRings(face, [&](FaceId near) { gained = lower(near, 1) || gained; });
+            bool gained = lower(mending.face, 1);
+            if (!gained) {
+                forRings(mending.face, [&](FaceId near) { gained = lower(near, 1) || gained; });
             }
             if (gained) {
-                excess -= 0.75 * weight(face); // a level finer errs about half as much
+                double& square = m_squares[mending.face];
+                excess -= kGain * square * m_source.samples.pixels[mending.face];
+                square = std::isfinite(square) ? (1 - kGain) * square : square;
                 changed = true;
             }
         }
         return changed || takeBack(p, true);
+    }
+
+    /// Texels that mending a face costs; 0 where nothing is left to give.
+    double texelsToMend(FaceId face) const
+    {
+        const auto cost = [&](FaceId one) {
+            const int steps = m_steps[one];
+            return steps > 0 ? static_cast<double>(m_before[one].coarser(steps - 1).texelCount()) -
+                                   m_before[one].coarser(steps).texelCount()
+                             : 0.0;
+        };
+        double texels = cost(face);
+        if (m_steps[face] == 0) {
+            forRings(face, [&](FaceId near) { texels += cost(near); });
+        }
+        return texels;
     }
 
     /// Gives a face levels back; false where it has given up none.
@@ -279,17 +377,23 @@ private:
     }
 
     const FitSource& m_source;
-    const Surface& m_surface;
     double m_most; ///< mean square of a patch
     Threads m_threads;
-    std::unique_ptr<const FilterMethod> m_exact;
     Coarsener m_coarsener;
     FaceMap<Level> m_before;
     FitPatches m_patches;
+    FitOptions m_options;
     std::vector<float> m_was; ///< what the samples see of the texels as they are
     FaceMap<int> m_steps;     ///< levels that each face gives up
-    TexelStore m_texels;      ///< at those levels
+    FittedTexels m_fitted;    ///< at those levels
     FaceMap<double> m_squares;
+    struct Best
+    {
+        FaceMap<int> steps;
+        FittedTexels fitted;
+        FaceMap<double> squares;
+    };
+    std::optional<Best> m_best;
 };
 
 } // namespace
@@ -314,15 +418,17 @@ Result<FitPlan> planFit(const Surface& surface,
         return tl::unexpected(source.error());
     }
     Fitter fitter(*source, surface, settings.tolerance, threads);
-    StageProgress measuring(progress, 0.1, 0.6);
-    const auto options = fitter.measure(measuring);
-    if (!options) {
-        return tl::unexpected(options.error());
+    StageProgress measuring(progress, 0.1, 0.4);
+    if (const Status measured = fitter.measure(measuring); !measured) {
+        return tl::unexpected(measured.error());
     }
-    fitter.choose(*options);
-    StageProgress mending(progress, 0.6, 1);
-    if (const Status mended = fitter.mend(mending); !mended) {
-        return tl::unexpected(mended.error());
+    StageProgress choosing(progress, 0.4, 0.75);
+    if (const Status chosen = fitter.choose(choosing); !chosen) {
+        return tl::unexpected(chosen.error());
+    }
+    StageProgress settling(progress, 0.75, 1);
+    if (const Status settled = fitter.settle(settling); !settled) {
+        return tl::unexpected(settled.error());
     }
     return fitter.plan();
 }

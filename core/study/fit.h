@@ -38,11 +38,12 @@ struct FitPlan
     FaceMap<float> errors;
     LevelCost cost;
     double rms = 0;       ///< over all faces that a view frames, by pixels
-    double worstPart = 0; ///< RMS of the worst patch of about 512 pixels
+    double worstPart = 0; ///< RMS of the worst patch of about 2,048 pixels
     double worstFace = 0;
     std::uint32_t unseenFaces = 0; ///< framed by no view: they go to level 0
 
-    /// The faces that change, at their new levels.
+    /// The faces that change, at their new levels, and those beside them that keep theirs but have
+    /// their texels moved: a coarser neighbour lets the filter blur them more.
     TexelPatch fitted;
 };
 

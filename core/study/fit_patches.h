@@ -17,9 +17,10 @@
 namespace trixel {
 
 /// Pixels that a patch fills at the finest spacing: about so many, or one face where that is more.
-inline constexpr double kPatchPixels = 512;
+/// Half of what a picture must show, for pictures have other shapes than patches.
+inline constexpr double kPatchPixels = 2048;
 
-/// Faces that hang together.
+/// Faces that hang together, patch after patch; patches overlap.
 struct FitPatches
 {
     std::vector<FaceId> faces;        ///< those of patch p from begin[p] to begin[p + 1]
@@ -32,33 +33,34 @@ struct FitPatches
     }
 };
 
-/// Grown across edges from the lowest face that is left, breadth first. Faces that no view frames
-/// are in no patch.
+/// Each grown across edges, breadth first, from the lowest face that is not yet within the inner
+/// quarter of another. Faces that no view frames are in no patch.
 FitPatches fitPatches(const Adjacency& adjacency, const FitSamples& samples);
-
-/// What the faces of a patch would cost and err, coarser by 0, 1, 2 … levels.
-struct FitOptions
-{
-    /// errors[k][face]: mean square error with every face k levels coarser; errors[0] is 0.
-    std::vector<FaceMap<double>> errors;
-};
 
 /// Mean of `squares` over a patch, by pixels.
 double patchMeanSquare(std::span<const FaceId> patch,
                        const FitSamples& samples,
                        const FaceMap<double>& squares);
 
-/// For each face of a patch how many levels coarser it may become, so that the patch's mean square
-/// stays within `most` and no face's exceeds kWorstFace² times that: one step at a time, always the
-/// one that saves the most texels for what it adds.
-void chooseSteps(std::span<const FaceId> patch,
+/// What each face is expected to err, coarser by 0, 1, 2 … levels: errors[k][face], mean square.
+struct FitOptions
+{
+    std::vector<FaceMap<double>> errors;
+};
+
+/// Most RMS that one face is expected to have, in tolerances.
+inline constexpr double kWorstFace = 3;
+
+/// Gives up more levels than `steps` does, so that the mean square of no patch exceeds `most`, but
+/// where it does already, and no face's exceeds kWorstFace² times that: always the step, of one
+/// level or more, that saves the most texels for what it adds.
+/// \param part  of the room that each patch has left to be used, in (0, 1]
+void chooseSteps(const FitPatches& patches,
                  const FitSamples& samples,
                  const FitOptions& options,
                  const FaceMap<Level>& levels,
                  double most,
+                 double part,
                  FaceMap<int>& steps);
-
-/// Most RMS of one face, in tolerances.
-inline constexpr double kWorstFace = 3;
 
 } // namespace trixel

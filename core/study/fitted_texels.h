@@ -7,7 +7,10 @@
 #include "core/filter/filter_method.h"
 #include "core/study/fit_samples.h"
 
+#include <glm/vec4.hpp>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace trixel {
 
@@ -30,32 +33,64 @@ struct FitSource
                                   Progress& progress);
 };
 
-/// Makes the texels of other levels, again and again: what should be seen at them is remembered.
+/// Every channel of every query as `exact` sees it, channel after channel. Fails only when
+/// cancelled.
+Result<std::vector<float>> seenThroughExact(const FilterScene& scene,
+                                            const QueryArrays& queries,
+                                            Threads threads,
+                                            Progress& progress);
+
+/// Texels at other levels, and how well they do.
+struct FittedTexels
+{
+    TexelStore texels; ///< in the source's format
+    /// Whether a face's texels were moved, be it at its own level.
+    FaceMap<char> isMoved;
+    /// Mean square of what a face's points miss, as the sums tell that moved them: for planning,
+    /// not for judging. 0 where nothing near changed.
+    FaceMap<double> squares;
+};
+
+/// Makes the texels of other levels, again and again: what should be seen and what was found before
+/// is remembered.
 class Coarsener
 {
 public:
     /// \param source  must outlive it
     explicit Coarsener(const FitSource& source);
 
-    /// The texels at other levels, none above the source's (checked). A face that keeps its level
-    /// keeps its bytes, a constant face stays constant. The others begin as means of the texels
-    /// they replace; then they are moved, a few times over, by what `exact` still finds missing at
-    /// their centroids when it looks with the finest covered footprint: the filter's floor grows
-    /// with the texels and would blur the picture otherwise. Fails only when cancelled.
-    Result<TexelStore> coarsened(const FaceMap<Level>& levels, Threads threads, Progress& progress);
+    /// The texels at other levels, none above the source's (checked). They begin as means of the
+    /// texels they replace, or as what was found for that face and level before; then they are
+    /// moved so that `exact` sees what it saw, by least squares over points all over the surface,
+    /// looked at with the finest covered footprint. That is needed because the filter's floor grows
+    /// with the texels and would blur the picture. It grows about their vertices too, so that faces
+    /// that keep their level next to coarser ones have their texels moved as well. All others keep
+    /// their bytes, and a constant face stays constant. Fails only when cancelled.
+    /// \param steps  of the search for texels
+    Result<FittedTexels>
+    fitted(const FaceMap<Level>& levels, int steps, Threads threads, Progress& progress);
 
 private:
-    struct Correction;
+    struct Points;
 
-    bool isCorrected(const TexelStore& coarse, FaceId face) const;
-    Correction correctionOf(const TexelStore& coarse) const;
-    void remember(const TexelStore& coarse, const Correction& correction, Threads threads);
-    Status correct(TexelStore& coarse, Threads threads, Progress& progress);
+    TexelStore begin(const FaceMap<Level>& levels) const;
+    FaceMap<char> movable(const TexelStore& coarse) const;
+    Points pointsFor(const TexelStore& coarse, const FaceMap<char>& isMoved) const;
+    Status remember(const Points& points, Threads threads, Progress& progress);
+    std::vector<glm::vec4> wanted(const Points& points, int group) const;
+    Status move(TexelStore& coarse,
+                const Points& points,
+                int steps,
+                FittedTexels& fitted,
+                Threads threads,
+                Progress& progress);
 
     const FitSource& m_source;
-    /// Of each level, what should be seen at a face's texels, channel after channel; empty where
+    /// Of each level of points, what should be seen at a face's, channel after channel; empty where
     /// nobody asked yet.
     std::vector<FaceMap<std::vector<float>>> m_wanted;
+    /// Of each level, the float texels that were found last for a face.
+    std::vector<FaceMap<std::optional<FaceTexels>>> m_found;
 };
 
 } // namespace trixel
