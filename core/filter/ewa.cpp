@@ -99,8 +99,8 @@ private:
     GaussianWindow m_window;
 };
 
-/// The finer the level for an ellipse, the less the window should cut off it: at each of these
-/// pairs neither alone can be lowered without the error rising more than the other brings.
+/// The finer the level for an ellipse, the less the window should cut off it. Below 0.5 both are
+/// lowered together, so that what is cut off and what is sampled too coarsely err alike.
 EwaSettings settingsOf(double sigma)
 {
     EwaSettings settings;

@@ -43,42 +43,53 @@ private:
     std::array<double, kGroupChannels> m_sums{};
 };
 #else
+// One register where it holds four doubles, else two.
+#undef TRIXEL_FOUR_DOUBLES
+#define TRIXEL_FOUR_DOUBLES (HWY_MAX_BYTES >= 32)
 class ChannelSums
 {
 public:
     HWY_INLINE ChannelSums() // written out: an implied one is not compiled for the target
         : m_first(hn::Zero(Tag()))
+#if !TRIXEL_FOUR_DOUBLES
         , m_second(hn::Zero(Tag()))
+#endif
     {
     }
     HWY_INLINE void add(double weight, const float* texel)
     {
-        const auto both = hn::Set(Tag(), weight);
-        m_first = hn::MulAdd(both, values(texel), m_first);
-        m_second = hn::MulAdd(both, values(texel + 2), m_second);
+        const auto each = hn::Set(Tag(), weight);
+        m_first = hn::MulAdd(each, values(texel), m_first);
+#if !TRIXEL_FOUR_DOUBLES
+        m_second = hn::MulAdd(each, values(texel + 2), m_second);
+#endif
     }
     HWY_INLINE void addTo(std::array<double, kGroupChannels>& sums, double factor) const
     {
-        addHalf(sums.data(), factor, m_first);
-        addHalf(sums.data() + 2, factor, m_second);
+        addPart(sums.data(), factor, m_first);
+#if !TRIXEL_FOUR_DOUBLES
+        addPart(sums.data() + 2, factor, m_second);
+#endif
     }
 
 private:
-    using Tag = hn::FixedTag<double, 2>;
-    using FloatTag = hn::FixedTag<float, 2>;
+    using Tag = hn::FixedTag<double, TRIXEL_FOUR_DOUBLES ? 4 : 2>;
+    using FloatTag = hn::Rebind<float, Tag>;
 
-    static HWY_INLINE hn::Vec<Tag> values(const float* two)
+    static HWY_INLINE hn::Vec<Tag> values(const float* part)
     {
-        return hn::PromoteTo(Tag(), hn::LoadU(FloatTag(), two));
+        return hn::PromoteTo(Tag(), hn::LoadU(FloatTag(), part));
     }
-    static HWY_INLINE void addHalf(double* sums, double factor, hn::Vec<Tag> half)
+    static HWY_INLINE void addPart(double* sums, double factor, hn::Vec<Tag> part)
     {
         const auto before = hn::LoadU(Tag(), sums);
-        hn::StoreU(hn::MulAdd(hn::Set(Tag(), factor), half, before), Tag(), sums);
+        hn::StoreU(hn::MulAdd(hn::Set(Tag(), factor), part, before), Tag(), sums);
     }
 
     hn::Vec<Tag> m_first;
+#if !TRIXEL_FOUR_DOUBLES
     hn::Vec<Tag> m_second;
+#endif
 };
 #endif
 
