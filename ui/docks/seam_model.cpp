@@ -84,6 +84,7 @@ void SeamModel::setReport(std::shared_ptr<const SeamReport> report)
     beginResetModel();
     m_report = std::move(report);
     m_order.clear();
+    m_rows = std::min(edgeCount(), kRowsAtOnce);
     endResetModel();
 }
 
@@ -94,9 +95,29 @@ const SeamJump& SeamModel::jumpAt(int row) const
     return m_report->jumps[m_order.empty() ? shown : m_order[shown]];
 }
 
+int SeamModel::edgeCount() const
+{
+    return m_report ? static_cast<int>(m_report->jumps.size()) : 0;
+}
+
 int SeamModel::rowCount(const QModelIndex& parent) const
 {
-    return parent.isValid() || !m_report ? 0 : static_cast<int>(m_report->jumps.size());
+    return parent.isValid() ? 0 : m_rows;
+}
+
+bool SeamModel::canFetchMore(const QModelIndex& parent) const
+{
+    return !parent.isValid() && m_rows < edgeCount();
+}
+
+void SeamModel::fetchMore(const QModelIndex& parent)
+{
+    if (canFetchMore(parent)) {
+        const int rows = std::min(edgeCount(), m_rows + kRowsAtOnce);
+        beginInsertRows({}, m_rows, rows - 1);
+        m_rows = rows;
+        endInsertRows();
+    }
 }
 
 int SeamModel::columnCount(const QModelIndex& parent) const
@@ -201,7 +222,8 @@ void SeamModel::takeOrder(Order order)
             newRow = order.empty() ? static_cast<std::ptrdiff_t>(wanted)
                                    : std::ranges::find(order, wanted) - order.begin();
         }
-        after += createIndex(static_cast<int>(newRow), index.column());
+        after +=
+            newRow < m_rows ? createIndex(static_cast<int>(newRow), index.column()) : QModelIndex();
     }
     m_order = std::move(order);
     changePersistentIndexList(before, after);

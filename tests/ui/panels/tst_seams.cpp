@@ -99,6 +99,37 @@ private slots:
         }
     }
 
+    void aLargeReportComesInParts()
+    {
+        constexpr int kEdges = 2 * SeamModel::kRowsAtOnce + 7;
+        SeamModel model;
+        model.setReport(reportOf(kEdges));
+        QCOMPARE(model.rowCount(), SeamModel::kRowsAtOnce);
+        const QPersistentModelIndex least = model.index(SeamModel::kRowsAtOnce - 1, 0);
+        model.sort(SeamModel::Jump, Qt::AscendingOrder); // of all edges, not of those given
+        QTRY_VERIFY(!model.isSorting());
+        QCOMPARE(model.jumpAt(0).jump, 1.0F - float(kEdges - 1) / float(kEdges));
+        QVERIFY(!least.isValid()); // comes after the rows given
+        model.fetchMore({});
+        model.fetchMore({});
+        QCOMPARE(model.rowCount(), kEdges);
+        QVERIFY(!model.canFetchMore({}));
+        model.fetchMore({});
+        QCOMPARE(model.rowCount(), kEdges);
+        QCOMPARE(model.jumpAt(kEdges - 1).jump, 1.0F);
+    }
+
+    void scrollingToTheEndBringsMoreRows()
+    {
+        SeamModel model;
+        model.setReport(reportOf(3 * SeamModel::kRowsAtOnce));
+        QTableView table;
+        table.setModel(&model);
+        table.show();
+        table.scrollToBottom();
+        QTRY_COMPARE(model.rowCount(), 2 * SeamModel::kRowsAtOnce);
+    }
+
     void measuringListsTheEdgesWorstFirst()
     {
         open();
