@@ -53,7 +53,9 @@ void filterBlock(const FilterScene& scene,
                  const ProbeSettings& settings,
                  const FilterResults& results)
 {
-    HWY_ALIGN static thread_local Workspace work;
+    // Itself thread-local, it would be cleared for every target whenever any thread starts.
+    static thread_local const auto kept = std::make_unique<Workspace>();
+    Workspace& work = *kept;
     for (std::size_t begin = 0; begin < queries.size(); begin += ProbePlans::kSize) {
         const std::size_t count = std::min(ProbePlans::kSize, queries.size() - begin);
         gatherInputs(scene, queries, begin, count, work.inputs);
