@@ -27,6 +27,7 @@ public:
     Status texelsOfBothHalves();
     Status mipLevels();
     Status chosenLevels();
+    Status fittedLevels();
     Status newProject();
     Status exportedTexture();
     Status measuredChart();
@@ -43,6 +44,7 @@ private:
     Status pictureOf(QWidget& widget, const std::string& name);
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
+    Status lowLevels();
     /// Runs the command that the palette lists first for the words.
     Status command(const QString& words);
 

@@ -52,6 +52,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::texelsOfBothHalves,
                             &Stops::mipLevels,
                             &Stops::chosenLevels,
+                            &Stops::fittedLevels,
                             &Stops::bookmarkedViews,
                             &Stops::conditionMap,
                             &Stops::errorMap,

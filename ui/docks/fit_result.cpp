@@ -16,6 +16,7 @@
 #include "ui/viewport/view_settings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trixel::ui {
 
@@ -62,11 +63,6 @@ public:
 };
 
 } // namespace
-
-QString errorText(double error)
-{
-    return FitResult::tr("%1 / 255").arg(digits(255 * error, 3));
-}
 
 FitResult::FitResult(ViewSettings& settings, QWidget* parent)
     : QWidget(parent)
@@ -158,11 +154,10 @@ void FitResult::show(const FitOutcome& outcome)
                          ? tr("%1 change, %2 are in no view")
                                .arg(countText(cost.changedFaces), countText(plan.unseenFaces))
                          : tr("%1 change").arg(countText(cost.changedFaces)));
-    m_error->setText(tr("%1, worst patch %2, worst face %3, of %4")
-                         .arg(digits(255 * plan.rms, 3),
-                              digits(255 * plan.worstPart, 3),
-                              digits(255 * plan.worstFace, 3),
-                              errorText(outcome.settings.tolerance)));
+    m_error->setText(tr("%1, worst patch %2, worst face %3, in 1/255")
+                         .arg(digits(255 * plan.rms, 2),
+                              digits(255 * plan.worstPart, 2),
+                              digits(255 * plan.worstFace, 2)));
     showSubdivision(outcome);
     showMethod(outcome);
     showLevels(outcome);
@@ -192,10 +187,11 @@ void FitResult::showMethod(const FitOutcome& outcome)
     const auto& method = outcome.fit.method;
     m_choice = method ? std::optional(method->method) : std::nullopt;
     if (method) {
-        m_method->setText(tr("%1: %2 ns a sample, RMS %3")
-                              .arg(methodTitle(method->method),
-                                   digits(method->nanoseconds, 3),
-                                   digits(255 * method->rms, 2)));
+        m_method->setText(
+            tr("%1: %2 ns a sample, RMS %3 / 255")
+                .arg(methodTitle(method->method),
+                     countText(static_cast<std::uint64_t>(std::lround(method->nanoseconds))),
+                     digits(255 * method->rms, 2)));
     } else if (outcome.settings.views.cameras.empty()) {
         m_method->setText(tr("needs a view to be measured in"));
     } else {

@@ -45,7 +45,4 @@ private:
     std::optional<MethodChoice> m_choice;
 };
 
-/// An error in the unit that tolerances are told in: "0.61 / 255".
-QString errorText(double error);
-
 } // namespace trixel::ui
