@@ -10,6 +10,7 @@
 #include "ui/viewport/viewport.h"
 
 #include <array>
+#include <glm/geometric.hpp>
 
 namespace trixel::app {
 
@@ -56,8 +57,11 @@ Status Stops::bookmarkedViews()
     }
     m_input.keys(QKeySequence(Qt::ALT | Qt::Key_1));
     const ViewCamera back = view.view();
-    const bool same =
-        bookmarks.name(0) == "Hero" && back.position == hero.position && back.target == hero.target;
+    // A camera is angles and a distance: its place comes back to rounding.
+    const bool same = bookmarks.name(0) == "Hero" &&
+                      glm::distance(back.position, hero.position) <
+                          1e-9 * glm::distance(hero.position, hero.target) &&
+                      back.target == hero.target;
     if (Status went = expect(same, "Alt+1 goes to the first view"); !went) {
         return went;
     }
