@@ -188,7 +188,7 @@ void MainWindow::makePanels()
 void MainWindow::makeFitPanel()
 {
     m_fit = new FitPanel(m_document, m_settings, m_jobs, *m_viewport, *m_viewMap, fitWork());
-    QDockWidget* fit = addPanel("fitPanel", tr("Fit to scene"), m_fit);
+    QDockWidget* fit = addPanel("fitPanel", tr("Fit"), m_fit);
     tabifyDockWidget(findChild<QDockWidget*>("seamPanel"), fit);
     fit->hide();
     m_panelActions->add(*fit, {Qt::SHIFT | Qt::Key_F7});
