@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace trixel {
 namespace {
@@ -25,7 +25,7 @@ constexpr int kJudgedSteps = 16;
 /// Rounds of planning, and rounds in which `exact` judges: at least so many, then as many as it
 /// takes.
 constexpr int kPlanningRounds = 6;
-constexpr int kSettlingRounds = 4;
+constexpr int kSettlingRounds = 6;
 /// Times that a plan is mended before its failing patches take all their texels back.
 constexpr int kGentleRounds = 12;
 constexpr int kMostRounds = 24;
@@ -276,10 +276,12 @@ private:
         return false;
     }
 
-    /// Whether anything had to be taken back.
+    /// Whether anything had to be taken back. However many patches ask for it, a face gets back
+    /// one level at a time: what that mends is only known afterwards.
     bool mendOnce(int round)
     {
         bool failed = false;
+        m_stepsBefore = m_steps;
         for (std::size_t p = 0; p < m_patches.size(); ++p) {
             // Written so that infinity fails.
             if (!(meanSquare(p) <= m_most)) {
@@ -293,12 +295,20 @@ private:
     struct Mending
     {
         FaceId face{};
+        bool isToBlame = false; ///< errs more than the tolerance by itself
         double errorPerTexel = 0;
+
+        bool operator<(const Mending& other) const
+        {
+            return std::tie(isToBlame, errorPerTexel) <
+                   std::tie(other.isToBlame, other.errorPerTexel);
+        }
     };
 
     /// Gives faces of the patch a level back, those first that err most for the texels they get, as
-    /// many as it should take; or all faces of the patch and about it all of theirs. False where
-    /// there was nothing left to give. What should be gained is taken off m_squares, so that
+    /// many as it should take; or all faces of the patch and about it all of theirs. Where a few
+    /// faces carry the error, the others keep what they gave up: it would not mend anything. False
+    /// where there was nothing left to give. What should be gained is taken off m_squares, so that
     /// patches that overlap do not mend the same twice.
     bool takeBack(std::size_t p, bool all)
     {
@@ -306,7 +316,10 @@ private:
         if (all) {
             bool changed = false;
             for (const FaceId face : patch) {
-                forRings(face, [&](FaceId near) { changed = lower(near, Level::kMax) || changed; });
+                forRings(face, [&](FaceId near) {
+                    changed = m_steps[near] > 0 || changed;
+                    m_steps[near] = 0;
+                });
             }
             return changed;
         }
@@ -317,18 +330,18 @@ private:
             excess += error - m_most * m_source.samples.pixels[face];
             const double texels = texelsToMend(face);
             if (texels > 0) {
-                mendings.push_back({face, error / texels});
+                mendings.push_back({face, !(m_squares[face] <= m_most), error / texels});
             }
         }
-        std::ranges::stable_sort(mendings, std::greater(), &Mending::errorPerTexel);
+        std::stable_sort(mendings.rbegin(), mendings.rend()); // the largest first
         bool changed = false;
         for (const Mending& mending : mendings) {
-            if (changed && !(excess > 0)) {
+            if (changed && (!(excess > 0) || !mending.isToBlame)) {
                 break;
             }
-            bool gained = lower(mending.face, 1);
+            bool gained = giveBack(mending.face);
             if (!gained) {
-                forRings(mending.face, [&](FaceId near) { gained = lower(near, 1) || gained; });
+                forRings(mending.face, [&](FaceId near) { gained = giveBack(near) || gained; });
             }
             if (gained) {
                 double& square = m_squares[mending.face];
@@ -356,12 +369,12 @@ private:
         return texels;
     }
 
-    /// Gives a face levels back; false where it has given up none.
-    bool lower(FaceId face, int steps)
+    /// Gives a face a level back, once a round; false where it has given up none.
+    bool giveBack(FaceId face)
     {
-        const bool changes = m_steps[face] > 0;
-        m_steps[face] = std::max(m_steps[face] - steps, 0);
-        return changes;
+        const int before = m_stepsBefore[face];
+        m_steps[face] = std::min(m_steps[face], std::max(before - 1, 0));
+        return before > 0;
     }
 
     /// The face and all that meet it at a vertex, some more than once.
@@ -383,9 +396,10 @@ private:
     FaceMap<Level> m_before;
     FitPatches m_patches;
     FitOptions m_options;
-    std::vector<float> m_was; ///< what the samples see of the texels as they are
-    FaceMap<int> m_steps;     ///< levels that each face gives up
-    FittedTexels m_fitted;    ///< at those levels
+    std::vector<float> m_was;   ///< what the samples see of the texels as they are
+    FaceMap<int> m_steps;       ///< levels that each face gives up
+    FaceMap<int> m_stepsBefore; ///< the same, before they were mended
+    FittedTexels m_fitted;      ///< at those levels
     FaceMap<double> m_squares;
     struct Best
     {

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <random>
 
 namespace trixel {
 namespace {
@@ -232,6 +233,40 @@ TEST(Fit, doesNotDependOnThreads)
 TEST(Fit, aWiderToleranceNeedsFewerTexels)
 {
     EXPECT_LT(roughPlan().cost.texelsAfter, narrowPlan().cost.texelsAfter);
+}
+
+/// A square of 32 faces of level 4 and one grey, but three red ones and noise on one of them.
+std::pair<std::shared_ptr<const Surface>, TexelStore> noisySquare()
+{
+    NoProgress progress;
+    std::shared_ptr<const Surface> surface = Surface::build(test::gridMesh(4), progress).value();
+    const std::array<std::byte, 3> grey = {std::byte{200}, std::byte{200}, std::byte{200}};
+    const std::array<std::byte, 3> red = {std::byte{200}, std::byte{30}, std::byte{30}};
+    TexelStore texels(32, TexelFormat(), Level(4), grey);
+    for (const std::uint32_t face : {9U, 10U, 11U}) {
+        texels.exchange(faceId(face), FaceTexels::constant(Level(4), red));
+    }
+    std::mt19937 random(5);
+    for (std::byte& value : texels.writable(faceId(9))) {
+        value = static_cast<std::byte>(random() % 256);
+    }
+    return {surface, texels};
+}
+
+TEST(Fit, fartherViewsOfAFewFacesNeedNoMoreTexelsButForATenth)
+{
+    const auto [surface, texels] = noisySquare();
+    std::uint64_t nearer = texels.texelCount();
+    for (const double distance : {10.0, 20.0, 40.0, 80.0, 200.0}) {
+        NoProgress progress;
+        const SceneViews views{{}, {{.name = "far", .distance = distance}}};
+        const auto plan = planFit(*surface, texels, {views, 1.0 / 255}, Threads{2}, progress);
+        ASSERT_TRUE(plan);
+        EXPECT_LE(plan->cost.texelsAfter, nearer + nearer / 10) << distance;
+        EXPECT_LT(plan->rms, 1.0 / 255);
+        nearer = plan->cost.texelsAfter;
+    }
+    EXPECT_LT(nearer, texels.texelCount() / 4);
 }
 
 TEST(Fit, facesInNoPictureGoToTheLowestLevel)
