@@ -172,7 +172,6 @@ void MainWindow::makePanels()
     tabifyDockWidget(report, steps);
     tabifyDockWidget(steps, seams);
     tabifyDockWidget(seams, views);
-    readout->raise();
     m_panelActions->add(*brush, {Qt::Key_F2});
     m_panelActions->add(*readout, {Qt::Key_F3});
     m_panelActions->add(*report, {Qt::Key_F4});
@@ -182,6 +181,7 @@ void MainWindow::makePanels()
     m_bookmarkActions = new BookmarkActions(m_document, *m_views, *views, *this);
     makeFitPanel();
     makeStudyPanels();
+    readout->raise(); // when all that share its place are there
 }
 
 /// Out of the way until wanted.

@@ -27,6 +27,12 @@ private slots:
     }
     void cleanup() { closeWindow(); }
 
+    void theTexelUnderThePointerIsReadWithoutTurningToItsPanel()
+    {
+        auto* texel = m_window->findChild<QDockWidget*>("readoutPanel");
+        QTRY_VERIFY(!texel->visibleRegion().isEmpty());
+    }
+
     void undoAndRedoKeys()
     {
         const std::vector<std::byte> before = allTexels(document().texels());
