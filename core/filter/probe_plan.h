@@ -6,21 +6,21 @@
 
 namespace trixel {
 
-/// Probes lie at (k + ½) steps, k = 0, 1, …, from the centre either way along a line, while that is
-/// below the support, with weights exp(-c x²) - exp(-c), x = steps / support.
-///
-/// A probe blurs alike in all directions; what the footprint is longer than that along its major
-/// axis is left to the weights. One blur of its width would do across, too, but it would be a poor
-/// Gaussian: it depends on where in a texel it lies, and midway between two levels it has too sharp
-/// a peak and too wide a foot. So footprints that are not much longer than wide get sharper probes,
-/// and a second, short line of them along the minor axis that makes up for what each lacks. Its
-/// share falls as they get longer, where the sum along the line evens all that out.
-///
-/// Everything changes continuously with the footprint, and weights are 0 where the number of probes
-/// changes: nothing pops. Lines run along the axes, so that they stay where they are when only the
-/// lengths of the axes change, and do not sweep over vertices, where a surface that is not flat
-/// tears.
-///
+// Probes lie at (k + ½) steps, k = 0, 1, …, from the centre either way along a line, while that is
+// below the support, with weights exp(-c x²) - exp(-c), x = steps / support.
+//
+// A probe blurs alike in all directions; what the footprint is longer than that along its major
+// axis is left to the weights. One blur of its width would do across, too, but it would be a poor
+// Gaussian: it depends on where in a texel it lies, and midway between two levels it has too sharp
+// a peak and too wide a foot. So footprints that are not much longer than wide get sharper probes,
+// and a second, short line of them along the minor axis that makes up for what each lacks. Its
+// share falls as they get longer, where the sum along the line evens all that out.
+//
+// Everything changes continuously with the footprint, and weights are 0 where the number of probes
+// changes: nothing pops. Lines run along the axes, so that they stay where they are when only the
+// lengths of the axes change, and do not sweep over vertices, where a surface that is not flat
+// tears.
+
 /// Share that the line across has of the answer for round footprints.
 inline constexpr double kAcrossShare = 0.4;
 /// Variance of its weights, as a fraction of that of the minor axis.

@@ -6,6 +6,7 @@
 #include "core/io/ptx_metadata.h"
 #include "core/study/project_views.h"
 #include "tests/ui/fixtures.h"
+#include "tests/ui/sample_views.h"
 #include "ui/document/document.h"
 #include "ui/document/view_bookmarks.h"
 
@@ -15,26 +16,6 @@
 #include <memory>
 
 namespace trixel::ui {
-
-namespace {
-
-ViewCamera camera(const std::string& name, double x)
-{
-    ViewCamera made;
-    made.name = name;
-    made.position = {x, 1, 3};
-    return made;
-}
-
-DistantViews distant(const std::string& name, double distance)
-{
-    DistantViews made;
-    made.name = name;
-    made.distance = distance;
-    return made;
-}
-
-} // namespace
 
 class ViewBookmarksTest : public QObject
 {

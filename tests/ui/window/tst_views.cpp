@@ -13,6 +13,7 @@
 
 #include "core/study/view_camera.h"
 #include "render/camera_view.h"
+#include "tests/ui/sample_views.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/docks/camera_files.h"
 #include "ui/docks/value_row.h"
@@ -23,26 +24,6 @@
 #include <glm/geometric.hpp>
 
 namespace trixel::ui {
-
-namespace {
-
-ViewCamera camera(const std::string& name, double x)
-{
-    ViewCamera made;
-    made.name = name;
-    made.position = {x, 1, 3};
-    return made;
-}
-
-DistantViews distant(const std::string& name, double distance)
-{
-    DistantViews made;
-    made.name = name;
-    made.distance = distance;
-    return made;
-}
-
-} // namespace
 
 class ViewsTest : public WindowTest
 {
