@@ -5,6 +5,7 @@
 
 #include "core/filter/filter_method.h"
 #include "core/paint/brush.h"
+#include "render/look.h"
 
 namespace trixel::ui {
 
@@ -33,7 +34,8 @@ struct ViewOptions
     bool operator==(const ViewOptions&) const = default;
 };
 
-/// Brush, tool, filter and view options: set by panels and shortcuts, listened to by the viewport.
+/// Brush, tool, filter, look and view options: set by panels and shortcuts, listened to by the
+/// viewport.
 class ViewSettings : public QObject
 {
     Q_OBJECT
@@ -76,17 +78,29 @@ public:
         }
     }
 
+    /// How texel values become colours, in the view and in every panel that shows texels.
+    const render::Look& look() const { return m_look; }
+    void setLook(const render::Look& look)
+    {
+        if (m_look != look) {
+            m_look = look;
+            emit lookChanged();
+        }
+    }
+
 signals:
     void viewChanged();
     void brushChanged();
     void toolChanged();
     void methodChanged();
+    void lookChanged();
 
 private:
     ViewOptions m_view;
     Brush m_brush;
     Tool m_tool = Tool::Brush;
     MethodChoice m_method;
+    render::Look m_look;
 };
 
 } // namespace trixel::ui
