@@ -4,7 +4,7 @@
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/base/read_file.h"
-#include "core/study/scene_fit.h"
+#include "core/study/fit/scene_fit.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -6,7 +6,7 @@
 #include "core/base/read_file.h"
 #include "core/filter/filter_method.h"
 #include "core/io/query_csv.h"
-#include "core/study/auto_method.h"
+#include "core/study/speed/auto_method.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

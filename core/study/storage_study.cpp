@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lattice/reduction.h"
-#include "core/study/contest.h"
 #include "core/study/error_sums.h"
 #include "core/study/machine.h"
 #include "core/study/small_studies.h"
+#include "core/study/speed/contest.h"
 #include "core/study/study_signal.h"
 #include "core/study/test_scene.h"
 #include "core/texture/convert.h"

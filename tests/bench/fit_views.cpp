@@ -5,9 +5,9 @@
 // Usage: fit_views CHAMELEON.obj STROKES.json [DISTANCE [VIEWS [STEP]]]
 #include "core/base/read_file.h"
 #include "core/io/sample_scene.h"
-#include "core/study/fit.h"
-#include "core/study/picture_error.h"
-#include "tests/core/study/covered_views.h"
+#include "core/study/fit/fit.h"
+#include "core/study/views/picture_error.h"
+#include "tests/core/study/fit/covered_views.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 // Views that tests of bookmarks keep.
 #pragma once
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include <QSettings>
 
 #include "core/base/read_file.h"
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 #include "ui/charts/write_chart.h"
 #include "ui/document/background_job.h"
 #include "ui/document/document.h"

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "core/study/auto_method.h"
+#include "core/study/speed/auto_method.h"
 
 #include <algorithm>
 

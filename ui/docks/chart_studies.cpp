@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 
-#include "core/study/peers/peers.h"
 #include "core/study/small_studies.h"
-#include "core/study/speed_accuracy.h"
+#include "core/study/speed/peers/peers.h"
+#include "core/study/speed/speed_accuracy.h"
 #include "ui/docks/chart_study.h"
 #include "ui/docks/study_scene.h"
 

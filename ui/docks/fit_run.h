@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/io/project.h"
-#include "core/study/scene_fit.h"
+#include "core/study/fit/scene_fit.h"
 #include "ui/docks/measured_run.h"
 #include "ui/document/document.h"
 

@@ -4,7 +4,7 @@
 #include <QSet>
 #include <QWidget>
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 #include "ui/document/background_job.h"
 
 class QCheckBox;

@@ -12,7 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "core/study/view_footprints.h"
+#include "core/study/views/view_footprints.h"
 #include "render/camera_view.h"
 #include "ui/docks/method_box.h"
 #include "ui/docks/seam_model.h"

@@ -3,7 +3,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 
 #include <variant>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 
 class QLabel;
 class QModelIndex;

@@ -5,7 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/io/new_project.h"
-#include "core/study/project_views.h"
+#include "core/study/views/project_views.h"
 #include "ui/document/swap_patch.h"
 #include "ui/document/swap_store.h"
 #include "ui/document/swap_views.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 #include "ui/document/document_step.h"
 
 namespace trixel::ui {

@@ -4,7 +4,7 @@
 #include <QSet>
 
 #include "core/base/check.h"
-#include "core/study/project_views.h"
+#include "core/study/views/project_views.h"
 #include "ui/document/document.h"
 
 #include <algorithm>

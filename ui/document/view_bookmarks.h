@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 
 namespace trixel::ui {
 

@@ -3,7 +3,7 @@
 
 #include <QtConcurrent>
 
-#include "core/study/view_map.h"
+#include "core/study/views/view_map.h"
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
 #include "ui/viewport/view_settings.h"

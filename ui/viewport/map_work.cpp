@@ -3,7 +3,7 @@
 
 #include <QElapsedTimer>
 
-#include "core/study/view_map.h"
+#include "core/study/views/view_map.h"
 #include "ui/viewport/map_scale.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 #include "core/base/face_map.h"
 #include "core/filter/filter_method.h"
-#include "core/study/view_queries.h"
+#include "core/study/views/view_queries.h"
 #include "ui/viewport/view_settings.h"
 
 #include <cstdint>

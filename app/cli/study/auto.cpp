@@ -2,7 +2,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/output.h"
 #include "app/cli/study/studies.h"
-#include "core/study/auto_method.h"
+#include "core/study/speed/auto_method.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

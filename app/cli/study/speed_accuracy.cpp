@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/speed_accuracy.h"
+#include "core/study/speed/speed_accuracy.h"
 
 #include "app/cli/arguments.h"
 #include "app/cli/filter_input.h"
 #include "app/cli/study/studies.h"
-#include "core/study/peers/peers.h"
+#include "core/study/speed/peers/peers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

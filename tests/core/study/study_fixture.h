@@ -4,7 +4,7 @@
 // watcher that remembers.
 #pragma once
 
-#include "core/study/speed_accuracy.h"
+#include "core/study/speed/speed_accuracy.h"
 
 #include <algorithm>
 #include <cmath>

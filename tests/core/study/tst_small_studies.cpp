@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/small_studies.h"
+#include "tests/core/study/study_fixture.h"
 #include "tests/core/test_meshes.h"
 
 #include <gmock/gmock.h>
 #include <set>
-
-#include "study_fixture.h"
 
 namespace trixel {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_metadata.h"
-#include "core/study/project_views.h"
+#include "core/study/views/project_views.h"
 #include "tests/ui/fixtures.h"
 #include "tests/ui/sample_views.h"
 #include "ui/document/document.h"

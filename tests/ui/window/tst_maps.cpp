@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The maps over the view, driven as a user does.
-#include "core/study/view_map.h"
+#include "core/study/views/view_map.h"
 #include "render/camera_view.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/docks/readout_panel.h"

@@ -11,7 +11,7 @@
 #include <QPushButton>
 #include <QTreeView>
 
-#include "core/study/view_camera.h"
+#include "core/study/views/view_camera.h"
 #include "render/camera_view.h"
 #include "tests/ui/sample_views.h"
 #include "tests/ui/window/window_fixture.h"

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/views/view_queries.h"
+#include "tests/core/test_meshes.h"
+
+#include <gmock/gmock.h>
+#include <set>
+
+namespace trixel {
+namespace {
+
+std::shared_ptr<const Surface> surfaceOf(TriangleMesh mesh)
+{
+    NoProgress progress;
+    return Surface::build(std::move(mesh), progress).value();
+}
+
+ViewQueries seen(const Surface& surface,
+                 const ViewCamera& camera,
+                 PixelSubset subset = {},
+                 unsigned threads = 2)
+{
+    NoProgress progress;
+    return viewQueries(surface, camera, subset, Threads{threads}, progress).value();
+}
+
+const ViewCamera kFront{"front", {0.5, 0.5, 2}, {0.5, 0.5, 0}, {0, 1, 0}, 40, 120, 80};
+
+TEST(ViewQueries, pixelsAndTheirCentresAgree)
+{
+    const auto surface = surfaceOf(test::gridMesh(3));
+    const ViewQueries found = seen(*surface, kFront);
+    ASSERT_GT(found.size(), 1000U);
+    EXPECT_EQ(found.asked, 120U * 80U);
+    EXPECT_TRUE(std::ranges::is_sorted(found.pixel));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto corners = surface->mesh().corners(found.queries.face[i]);
+        const glm::vec3 point = pointAt(corners, found.queries.u[i], found.queries.v[i]);
+        const auto at = kFront.project(glm::dvec3(point));
+        ASSERT_TRUE(at);
+        EXPECT_NEAR(at->x, found.pixel[i] % 120 + 0.5, 1e-3);
+        EXPECT_NEAR(at->y, found.pixel[i] / 120 + 0.5, 1e-3);
+    }
+}
+
+TEST(ViewQueries, footprintsReachFromPixelToPixel)
+{
+    const auto surface = surfaceOf(test::gridMesh(1));
+    ViewCamera camera = kFront;
+    camera.position = {2, 1.5, 2.5};
+    const ViewQueries found = seen(*surface, camera);
+    const ViewQueries& q = found;
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+        if (q.pixel[i + 1] != q.pixel[i] + 1 || q.queries.face[i] != q.queries.face[i + 1]) {
+            continue;
+        }
+        ++pairs;
+        const double du = q.queries.u[i + 1] - q.queries.u[i];
+        const double mean = (q.queries.uw1[i] + q.queries.uw1[i + 1]) / 2;
+        EXPECT_NEAR(du, mean, 1e-3 * std::abs(mean) + 1e-6);
+    }
+    EXPECT_GT(pairs, 500U);
+}
+
+TEST(ViewQueries, doNotDependOnThreads)
+{
+    const auto surface = surfaceOf(test::sphereMesh(3));
+    const ViewCamera camera{"", {2, 2, 2}, {0, 0, 0}, {0, 1, 0}, 40, 320, 200};
+    const ViewQueries one = seen(*surface, camera, {3, 7}, 1);
+    const ViewQueries many = seen(*surface, camera, {3, 7}, 4);
+    EXPECT_EQ(one.pixel, many.pixel);
+    EXPECT_EQ(one.queries.face, many.queries.face);
+    EXPECT_EQ(one.queries.u, many.queries.u);
+    EXPECT_EQ(one.queries.vw2, many.queries.vw2);
+}
+
+TEST(ViewQueries, subsetTakesOnePixelOfEachBlock)
+{
+    const auto surface = surfaceOf(test::gridMesh(1));
+    ViewCamera close = kFront;
+    close.position.z = 0.2; // sees nothing but the square
+    close.width = 101;      // blocks cut off at the sides
+    close.height = 67;
+    for (const int step : {1, 4, 9}) {
+        const ViewQueries found = seen(*surface, close, {step, 3});
+        const auto blocks = static_cast<std::size_t>((101 + step - 1) / step) *
+                            static_cast<std::size_t>((67 + step - 1) / step);
+        EXPECT_EQ(found.asked, blocks);
+        EXPECT_EQ(found.size(), blocks);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> taken;
+        for (const std::uint32_t pixel : found.pixel) {
+            const auto size = static_cast<std::uint32_t>(step);
+            EXPECT_LT(pixel, 101U * 67U);
+            taken.insert({pixel % 101 / size, pixel / 101 / size});
+        }
+        EXPECT_EQ(taken.size(), blocks);
+    }
+    EXPECT_NE(seen(*surface, close, {9, 3}).pixel, seen(*surface, close, {9, 4}).pixel);
+}
+
+TEST(ViewQueries, aViewThatMissesTheMeshIsEmpty)
+{
+    const auto surface = surfaceOf(test::gridMesh(2));
+    ViewCamera away = kFront;
+    away.target = {0.5, 0.5, 4};
+    const ViewQueries found = seen(*surface, away);
+    EXPECT_EQ(found.size(), 0U);
+    EXPECT_EQ(found.asked, 120U * 80U);
+}
+
+class Refuses final : public Progress
+{
+public:
+    bool report(double fraction) override { return fraction < 0.3; }
+};
+
+TEST(ViewQueries, canBeCancelled)
+{
+    const auto surface = surfaceOf(test::gridMesh(2));
+    ViewCamera large = kFront;
+    large.height = 800;
+    Refuses progress;
+    const auto found = viewQueries(*surface, large, {4, 0}, Threads{2}, progress);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().kind, ErrorKind::Cancelled);
+}
+
+TEST(Covered, meansNoPointIsSeenCloserThanByACameraThatFramesIt)
+{
+    const auto surface = surfaceOf(test::sphereMesh(3));
+    const ViewCamera hero{"hero", {0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 200, 200};
+    const SceneViews views{{hero}, {}};
+    const PixelSubset all{2, 0};
+    EXPECT_TRUE(isCovered(*surface, views, hero, all));
+
+    ViewCamera closer = hero;
+    closer.position.z = 3.9;
+    EXPECT_FALSE(isCovered(*surface, views, closer, all));
+    ViewCamera sharper = hero;
+    sharper.height = 210;
+    sharper.width = 210;
+    EXPECT_FALSE(isCovered(*surface, views, sharper, all));
+    ViewCamera behind = hero; // seen through the sphere, its back is 5 to 6 units away
+    behind.position = {0, 0, -6.1};
+    EXPECT_TRUE(isCovered(*surface, views, behind, all));
+    behind.position.z = -5;
+    EXPECT_FALSE(isCovered(*surface, views, behind, all));
+    ViewCamera farther = hero;
+    farther.position = {4, 4, 4};
+    EXPECT_TRUE(isCovered(*surface, views, farther, all));
+
+    SceneViews corner = views; // frames only part of the sphere
+    corner.cameras[0].target = {2, 0, 0};
+    corner.cameras[0].fovY = 20;
+    ViewCamera whole = hero;
+    whole.position.z = 40;
+    EXPECT_FALSE(isCovered(*surface, corner, whole, all));
+
+    const SceneViews beyond{{}, {{"any", 3, 40, 200, 200}}};
+    EXPECT_TRUE(isCovered(*surface, beyond, hero, all));
+    closer.position.z = 3.2;
+    EXPECT_FALSE(isCovered(*surface, beyond, closer, all));
+}
+
+} // namespace
+} // namespace trixel
