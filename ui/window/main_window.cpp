@@ -3,31 +3,18 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPointer>
-#include <QRegularExpression>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoView>
 #include <QVBoxLayout>
 
-#include "ui/docks/brush_panel.h"
-#include "ui/docks/camera_files.h"
-#include "ui/docks/chart_panel.h"
-#include "ui/docks/fit_panel.h"
-#include "ui/docks/readout_panel.h"
-#include "ui/docks/report_panel.h"
-#include "ui/docks/seam_panel.h"
-#include "ui/docks/stability_panel.h"
-#include "ui/docks/views_panel.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -36,16 +23,21 @@
 #include "ui/window/command_palette.h"
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
+#include "ui/window/inspector_panels.h"
 #include "ui/window/job_bar.h"
 #include "ui/window/level_actions.h"
 #include "ui/window/map_actions.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_actions.h"
+#include "ui/window/panel_frames.h"
 #include "ui/window/selection_actions.h"
 #include "ui/window/status_line.h"
+#include "ui/window/study_panels.h"
 #include "ui/window/tool_actions.h"
 #include "ui/window/view_actions.h"
 #include "ui/window/welcome.h"
+#include "ui/window/work_panels.h"
+#include "ui/window/workspace.h"
 
 #include <utility>
 
@@ -55,8 +47,6 @@ namespace {
 
 constexpr QSize kFirstSize(1440, 900);
 constexpr int kIconSize = 20;
-constexpr int kPanelWidth = 310;
-constexpr int kFitHeight = 560;
 /// Of the surface's size: a first brush that covers a few faces of most meshes.
 constexpr float kFirstRadius = 0.02F;
 
@@ -70,6 +60,7 @@ constexpr double kSampleCloseness = 1.25;
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
     , m_selection(m_document)
+    , m_inspection(m_document)
     , m_colors(m_settings)
     , m_files(m_document, m_jobs)
     , m_filterScene(m_document, m_jobs)
@@ -107,6 +98,11 @@ MainWindow::~MainWindow()
     }
 }
 
+SeamPanel& MainWindow::seams()
+{
+    return m_panels->seams();
+}
+
 void MainWindow::open(const QString& path)
 {
     m_fileActions->open(path);
@@ -134,115 +130,24 @@ void MainWindow::makeCenter()
     setCentralWidget(whole);
 }
 
-QDockWidget* MainWindow::addPanel(const QString& name, const QString& title, QWidget* content)
-{
-    auto* dock = new QDockWidget(title);
-    dock->setObjectName(name);
-    dock->setWidget(content);
-    dock->setMinimumWidth(kPanelWidth);
-    for (QWidget* button : dock->findChildren<QWidget*>(QRegularExpression("^qt_dockwidget_.*"))) {
-        button->setToolTip(button->objectName().contains("close") ? tr("Close the panel")
-                                                                  : tr("Detach the panel"));
-    }
-    addDockWidget(Qt::RightDockWidgetArea, dock);
-    return dock;
-}
-
 void MainWindow::makePanels()
 {
     m_panelActions = new PanelActions(*this, *m_viewport);
-    m_brushPanel = new BrushPanel(m_settings, m_colors);
-    m_readout = new ReadoutPanel(m_document);
-    m_hoverFilter = new HoverFilter(m_document, m_settings, m_filterScene, m_readout);
-    m_report = new ReportPanel;
-    m_seams = new SeamPanel(m_document, m_settings, m_filterScene, m_jobs, *m_viewport);
-    m_views = new ViewsPanel(m_document, m_jobs, *m_viewport);
-    auto* history = new QUndoView(&m_document.undoStack());
-    history->setEmptyLabel(tr("As opened"));
-    history->setAccessibleName(tr("Undo history"));
-    history->setToolTip(tr("Choose a step to go back or forward to it"));
-
-    QDockWidget* brush = addPanel("brushPanel", tr("Brush"), m_brushPanel);
-    QDockWidget* readout = addPanel("readoutPanel", tr("Texel"), m_readout);
-    QDockWidget* report = addPanel("reportPanel", tr("Mesh"), m_report);
-    QDockWidget* steps = addPanel("historyPanel", tr("History"), history);
-    QDockWidget* seams = addPanel("seamPanel", tr("Seams"), m_seams);
-    QDockWidget* views = addPanel("viewsPanel", tr("Views"), m_views);
-    tabifyDockWidget(readout, report);
-    tabifyDockWidget(report, steps);
-    tabifyDockWidget(steps, seams);
-    tabifyDockWidget(seams, views);
-    m_panelActions->add(*brush, {Qt::Key_F2});
-    m_panelActions->add(*readout, {Qt::Key_F3});
-    m_panelActions->add(*report, {Qt::Key_F4});
-    m_panelActions->add(*steps, {Qt::Key_F5});
-    m_panelActions->add(*seams, {Qt::Key_F7});
-    m_panelActions->add(*views, {Qt::Key_F10});
-    m_bookmarkActions = new BookmarkActions(m_document, *m_views, *views, *this);
-    makeFitPanel();
-    makeStudyPanels();
-    readout->raise(); // when all that share its place are there
-}
-
-/// Out of the way until wanted.
-void MainWindow::makeFitPanel()
-{
-    m_fit = new FitPanel(m_document, m_settings, m_jobs, *m_viewport, *m_viewMap, fitWork());
-    QDockWidget* fit = addPanel("fitPanel", tr("Fit"), m_fit);
-    tabifyDockWidget(findChild<QDockWidget*>("seamPanel"), fit);
-    fit->hide();
-    m_panelActions->add(*fit, {Qt::SHIFT | Qt::Key_F7});
-    connect(m_fit, &FitPanel::failed, this, [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Error, sentence);
-    });
-    connect(m_fit, &FitPanel::applied, this, [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Note,
-                                sentence,
-                                {tr("&Undo"), [this] { m_document.undoStack().undo(); }});
-    });
-}
-
-void MainWindow::showFit()
-{
-    auto* dock = findChild<QDockWidget*>("fitPanel");
-    if (dock->isHidden()) {
-        dock->show();
-        // A plan has more to tell than the other panels beside it.
-        resizeDocks({dock}, {kFitHeight}, Qt::Vertical);
-    }
-    dock->raise();
-    m_fit->begin();
-}
-
-/// Below the view, wide as charts are, and out of the way until wanted.
-QDockWidget* MainWindow::addWidePanel(const QString& name, const QString& title, QWidget* content)
-{
-    QDockWidget* dock = addPanel(name, title, content);
-    addDockWidget(Qt::BottomDockWidgetArea, dock);
-    dock->hide();
-    return dock;
-}
-
-void MainWindow::makeStudyPanels()
-{
-    m_chart = new ChartPanel(m_document, m_settings, m_jobs, studyOffers());
-    QDockWidget* chart = addWidePanel("chartPanel", tr("Speed and accuracy"), m_chart);
-    m_panelActions->add(*chart, {Qt::Key_F8});
-    m_stability = new StabilityPanel(m_document, m_jobs, stabilityWork());
-    QDockWidget* stability = addWidePanel("stabilityPanel", tr("Stability"), m_stability);
-    m_panelActions->add(*stability, {Qt::Key_F9});
-    tabifyDockWidget(chart, stability);
-    connect(m_stability, &StabilityPanel::faceChosen, m_viewport, &Viewport::frameFace);
-    const auto complain = [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Error, sentence);
-    };
-    const auto tell = [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Note, sentence);
-    };
-    connect(m_chart, &ChartPanel::failed, this, complain);
-    connect(m_chart, &ChartPanel::written, this, tell);
-    connect(m_stability, &StabilityPanel::failed, this, complain);
-    connect(m_stability, &StabilityPanel::written, this, tell);
+    const Workspace work{*this,
+                         m_document,
+                         m_selection,
+                         m_inspection,
+                         m_settings,
+                         m_colors,
+                         m_jobs,
+                         m_filterScene,
+                         *m_viewport,
+                         *m_viewMap,
+                         *m_messages};
+    const PanelFrames frames(*this, *m_panelActions);
+    m_panels = new WorkPanels(work, frames, this);
+    new StudyPanels(work, frames, this);
+    new InspectorPanels(work, frames, this);
 }
 
 void MainWindow::makeMenus()
@@ -251,7 +156,7 @@ void MainWindow::makeMenus()
     m_selectionActions = new SelectionActions(m_document, m_selection, *this);
     m_levelActions = new LevelActions(m_document, m_selection, m_jobs, *m_messages, *this);
     m_toolActions = new ToolActions(m_settings, *this);
-    m_brushActions = new BrushActions(m_settings, m_colors, *m_brushPanel, *this);
+    m_brushActions = new BrushActions(m_settings, m_colors, m_panels->brush(), *this);
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
     m_mapActions = new MapActions(m_settings, *this);
 
@@ -265,14 +170,14 @@ void MainWindow::makeMenus()
     QAction* fit = ActionMaker(*this)(tr("Fit Levels to S&cene…"),
                                       tr("Plan the lowest levels that keep what views show"),
                                       QKeySequence(Qt::CTRL | Qt::Key_L));
-    connect(fit, &QAction::triggered, this, &MainWindow::showFit);
+    connect(fit, &QAction::triggered, m_panels, &WorkPanels::showFit);
     edit->addAction(fit);
     m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
     view->addSeparator();
-    m_bookmarkActions->fillMenu(*view);
+    m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
     m_mapActions->fillMenu(*view);
     view->addSeparator();
@@ -342,17 +247,6 @@ void MainWindow::makeStatusBar()
 
 void MainWindow::connectView()
 {
-    connect(m_viewport, &Viewport::hovered, m_readout, &ReadoutPanel::show);
-    connect(m_viewport,
-            &Viewport::hovered,
-            m_readout,
-            [this](const std::optional<HoveredTexel>& texel) {
-                if (m_readout->isVisible()) {
-                    m_hoverFilter->ask(texel);
-                }
-            });
-    connect(m_hoverFilter, &HoverFilter::answered, m_readout, &ReadoutPanel::showFiltered);
-    connect(m_hoverFilter, &HoverFilter::unanswered, m_readout, &ReadoutPanel::showUnfiltered);
     connect(m_viewport, &Viewport::colorPicked, this, [this](const std::array<float, 4>& color) {
         m_colors.choose(color);
     });
@@ -367,21 +261,7 @@ void MainWindow::connectView()
     connect(&m_files, &ProjectFiles::sampleOpened, m_viewport, [this] {
         m_viewport->lookFrom(kSampleYaw, kSamplePitch, kSampleCloseness);
     });
-    connect(m_report, &ReportPanel::faceChosen, m_viewport, &Viewport::frameFace);
-    connect(m_seams, &SeamPanel::edgeChosen, m_viewport, [this](SurfaceEdge edge) {
-        m_viewport->markEdge(edge);
-        m_viewport->frameEdge(edge);
-    });
-    connect(m_views, &ViewsPanel::viewChosen, m_viewport, &Viewport::lookThrough);
-    connect(&m_views->files(), &CameraFiles::done, this, [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Note, sentence);
-    });
-    connect(&m_views->files(), &CameraFiles::failed, this, [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Error, sentence);
-    });
-    connect(m_viewport, &Viewport::notice, this, [this](const QString& sentence) {
-        m_messages->showMessage(MessageBar::Kind::Note, sentence);
-    });
+    connect(m_viewport, &Viewport::notice, m_messages, &MessageBar::showNote);
 }
 
 void MainWindow::takeDocument()
@@ -389,16 +269,12 @@ void MainWindow::takeDocument()
     m_center->setCurrentWidget(m_document.isOpen() ? static_cast<QWidget*>(m_viewport)
                                                    : m_center->widget(0));
     m_texelsSeen = m_document.state().texels;
-    m_readout->clear();
-    m_report->show(m_document.surface().get());
     if (m_document.isOpen()) {
         const float size = m_document.surface()->size();
         const TexelFormat& format = m_document.texels().format();
         Brush brush = m_settings.brush();
         brush.radius = size > 0 ? size * kFirstRadius : 1.0F;
         m_settings.setBrush(brush);
-        m_brushPanel->setSurfaceSize(size);
-        m_brushPanel->setHasAlpha(format.channels >= 4);
         m_brushActions->setSurfaceSize(size);
         m_colors.setGreyOnly(format.channels < 3);
         m_viewport->setFocus();

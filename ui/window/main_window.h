@@ -8,6 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/document/face_selection.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/document/inspection.h"
 #include "ui/document/project_files.h"
 #include "ui/viewport/view_settings.h"
 
@@ -17,27 +18,19 @@ class QStackedWidget;
 namespace trixel::ui {
 
 class BrushActions;
-class BookmarkActions;
-class BrushPanel;
-class ChartPanel;
 class EditActions;
 class FileActions;
-class FitPanel;
-class HoverFilter;
 class LevelActions;
 class MapActions;
 class MessageBar;
 class PanelActions;
-class ReadoutPanel;
-class ReportPanel;
-class StabilityPanel;
 class SeamPanel;
 class SelectionActions;
 class ToolActions;
 class ViewActions;
 class ViewMap;
-class ViewsPanel;
 class Viewport;
+class WorkPanels;
 
 /// The window: puts document, view, panels and menus together. What they do lives in them.
 class MainWindow : public QMainWindow
@@ -50,12 +43,13 @@ public:
 
     Document& document() { return m_document; }
     FaceSelection& selection() { return m_selection; }
+    Inspection& inspection() { return m_inspection; }
     ViewSettings& settings() { return m_settings; }
     ProjectFiles& files() { return m_files; }
     BackgroundJobs& jobs() { return m_jobs; }
     Viewport& viewport() { return *m_viewport; }
     ViewMap& viewMap() { return *m_viewMap; }
-    SeamPanel& seams() { return *m_seams; }
+    SeamPanel& seams();
     MessageBar& messages() { return *m_messages; }
 
     /// Opens a file as if chosen in the menu.
@@ -73,11 +67,6 @@ private:
     void makeToolBars();
     void makeStatusBar();
     void connectView();
-    void makeStudyPanels();
-    void makeFitPanel();
-    void showFit();
-    QDockWidget* addPanel(const QString& name, const QString& title, QWidget* content);
-    QDockWidget* addWidePanel(const QString& name, const QString& title, QWidget* content);
     void takeDocument();
     void showTitle();
     void showCommands();
@@ -88,6 +77,7 @@ private:
 
     Document m_document;
     FaceSelection m_selection;
+    Inspection m_inspection;
     ViewSettings m_settings;
     BrushColors m_colors;
     BackgroundJobs m_jobs;
@@ -97,15 +87,7 @@ private:
     QStackedWidget* m_center = nullptr;
     Viewport* m_viewport = nullptr;
     MessageBar* m_messages = nullptr;
-    BrushPanel* m_brushPanel = nullptr;
-    ReadoutPanel* m_readout = nullptr;
-    HoverFilter* m_hoverFilter = nullptr; ///< a child of the read-out
-    ReportPanel* m_report = nullptr;
-    ChartPanel* m_chart = nullptr;
-    StabilityPanel* m_stability = nullptr;
-    ViewsPanel* m_views = nullptr;
-    SeamPanel* m_seams = nullptr;
-    FitPanel* m_fit = nullptr;
+    WorkPanels* m_panels = nullptr;
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
@@ -114,7 +96,6 @@ private:
     LevelActions* m_levelActions = nullptr;
     ToolActions* m_toolActions = nullptr;
     BrushActions* m_brushActions = nullptr;
-    BookmarkActions* m_bookmarkActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     MapActions* m_mapActions = nullptr;
     PanelActions* m_panelActions = nullptr;

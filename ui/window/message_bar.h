@@ -31,6 +31,8 @@ public:
 
     void showMessage(Kind kind, const QString& sentence);
     void showMessage(Kind kind, const QString& sentence, Remedy remedy);
+    void showNote(const QString& sentence) { showMessage(Kind::Note, sentence); }
+    void showError(const QString& sentence) { showMessage(Kind::Error, sentence); }
     /// Takes away the message, if any.
     void dismiss();
 
