@@ -1,36 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/texel_walk.h"
 
+#include "core/texture/texel_neighbours.h"
+
 namespace trixel {
 
 std::optional<TexelWalk::Step>
 TexelWalk::across(const WalkedSurface& surface, LocalEdge edge, Landing landing, Turn turn) const
 {
-    const auto& [face, texel] = m_here.place;
-    const Level level = surface.level(face);
-    if (const auto inside = texelAcross(level, texel, edge)) {
-        return Step{{face, *inside}, edge, turn};
-    }
-    const auto neighbour = surface.adjacency.neighbour(face, edge);
-    if (!neighbour) {
+    const auto met = texelsAcross(surface, m_here.place, edge);
+    if (!met) {
         return std::nullopt;
     }
-    // The neighbour runs along the edge the other way.
-    const Level other = surface.level(neighbour->face);
-    const std::uint32_t place = level.resolution() - 1 - placeAlong(level, edge, texel);
-    std::uint32_t entry = 0;
-    if (other < level) {
-        entry = place >> (level.log2() - other.log2());
-    } else {
-        const int finer = other.log2() - level.log2();
-        const std::uint32_t first = place << finer;
-        const std::uint32_t last = first + (1U << finer) - 1;
-        entry = landing == Landing::AtStart ? last
-                : landing == Landing::AtEnd ? first
-                                            : (first + last + 1) / 2;
-    }
-    return Step{
-        {neighbour->face, texelAlong(other, neighbour->edge, entry)}, neighbour->edge, turn};
+    const TexelPlace place = landing == Landing::AtStart ? TexelPlace{met->face, met->first}
+                             : landing == Landing::AtEnd ? TexelPlace{met->face, met->last}
+                                                         : met->middle();
+    return Step{place, met->edge, turn};
 }
 
 bool TexelWalk::turnTo(const WalkedSurface& surface, Turn turn, Landing landing)
