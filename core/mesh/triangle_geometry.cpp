@@ -66,6 +66,16 @@ bool isDegenerate(const std::array<glm::vec3, 3>& corners)
     return glm::cross(e1, e2) == glm::dvec3(0);
 }
 
+double meanSquareEdge(const std::array<glm::vec3, 3>& corners)
+{
+    double squares = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 edge = glm::dvec3(corners[(k + 1) % 3]) - glm::dvec3(corners[k]);
+        squares += glm::dot(edge, edge);
+    }
+    return squares / 3;
+}
+
 RayShear::RayShear(glm::dvec3 origin, glm::dvec3 direction)
     : m_origin(origin)
 {

@@ -24,6 +24,10 @@ NearestOnTriangle nearestOnTriangle(const std::array<glm::vec3, 3>& corners, glm
 /// Whether the triangle has no area: a repeated corner or three corners on one line.
 bool isDegenerate(const std::array<glm::vec3, 3>& corners);
 
+/// Mean of the squares of the three edge lengths, world units squared. Its root is the length that
+/// densities of texels are counted along: a long thin face counts as long.
+double meanSquareEdge(const std::array<glm::vec3, 3>& corners);
+
 /// A ray prepared for many triangles: sheared so that it runs along one axis from its origin.
 /// Two triangles that share an edge evaluate it to exactly opposite numbers, so that no ray slips
 /// between them. Source: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.

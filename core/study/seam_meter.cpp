@@ -278,6 +278,19 @@ SeamSummary summarize(std::span<const SeamJump> jumps)
     return summary;
 }
 
+std::vector<float> jumpsOfFaces(std::span<const SeamJump> jumps, std::size_t faceCount)
+{
+    std::vector<float> largest(faceCount, std::numeric_limits<float>::quiet_NaN());
+    for (const SeamJump& jump : jumps) {
+        for (const FaceId face : {jump.face, jump.neighbour}) {
+            check(indexOf(face) < faceCount, "a face of the mesh");
+            float& known = largest[indexOf(face)];
+            known = known >= jump.jump ? known : jump.jump; // false for NaN
+        }
+    }
+    return largest;
+}
+
 std::string toCsv(const SeamReport& report)
 {
     std::ostringstream text;

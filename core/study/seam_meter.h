@@ -92,6 +92,10 @@ inline constexpr double kSeamless = 1e-5;
 /// \param jumps  the largest first, as a report has them
 SeamSummary summarize(std::span<const SeamJump> jumps);
 
+/// The largest jump over the edges of each face; NaN for a face none of whose edges was measured.
+/// \param jumps  of faces below `faceCount` (checked)
+std::vector<float> jumpsOfFaces(std::span<const SeamJump> jumps, std::size_t faceCount);
+
 /// One line an edge, a header line first.
 std::string toCsv(const SeamReport& report);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/level_plan.h"
 
+#include "core/mesh/triangle_geometry.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <vector>
 
 namespace trixel {
@@ -14,13 +14,7 @@ namespace {
 /// log2 of the root mean square edge length; minus infinity for a face of no extent.
 double logLength(const TriangleMesh& mesh, FaceId face)
 {
-    const std::array<glm::vec3, 3> corners = mesh.corners(face);
-    double squares = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 edge = glm::dvec3(corners[(k + 1) % 3]) - glm::dvec3(corners[k]);
-        squares += glm::dot(edge, edge);
-    }
-    return 0.5 * std::log2(squares / 3);
+    return 0.5 * std::log2(meanSquareEdge(mesh.corners(face)));
 }
 
 std::vector<double> logLengths(const TriangleMesh& mesh)

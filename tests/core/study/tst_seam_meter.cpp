@@ -337,6 +337,25 @@ TEST(SeamMeter, summaryCountsWhatTheReportHolds)
     EXPECT_EQ(summarize({}).edges, 0U);
 }
 
+TEST(SeamMeter, aFaceIsToldTheLargestJumpOfItsEdges)
+{
+    std::vector<SeamJump> jumps(3);
+    jumps[0].face = FaceId{0};
+    jumps[0].neighbour = FaceId{1};
+    jumps[0].jump = 0.5F;
+    jumps[1].face = FaceId{1};
+    jumps[1].neighbour = FaceId{3};
+    jumps[1].jump = 0.25F;
+    jumps[2].face = FaceId{0};
+    jumps[2].neighbour = FaceId{3};
+    jumps[2].jump = 0.0F;
+    const std::vector<float> faces = jumpsOfFaces(jumps, 4);
+    EXPECT_EQ(faces[0], 0.5F);
+    EXPECT_EQ(faces[1], 0.5F);
+    EXPECT_TRUE(std::isnan(faces[2]));
+    EXPECT_EQ(faces[3], 0.25F);
+}
+
 TEST(ValueRange, isTheLargestSpanOfFiniteTexels)
 {
     const TexelFormat format{TexelType::Float, 2, std::nullopt};
