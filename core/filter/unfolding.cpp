@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filter/unfolding.h"
 
+#include "core/filter/shape_on_edge.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,26 +40,6 @@ double keyOf(double way, const Corners& corners)
 {
     constexpr double kCentroidShare = 1.0 / 16384;
     return way + kCentroidShare * glm::length(corners[0] + corners[1] + corners[2]) / 3;
-}
-
-glm::dvec2 shapeCorner(const FaceShape& shape, std::size_t index)
-{
-    return index == 0 ? glm::dvec2(0) : index == 1 ? shape.e1 : shape.e2;
-}
-
-/// The vertex beyond the edge from `start` to `end` in the plane, which a face of that shape calls
-/// `edge` and runs along the other way.
-glm::dvec2 vertexBeyond(const FaceShape& shape, std::size_t edge, glm::dvec2 start, glm::dvec2 end)
-{
-    const glm::dvec2 own = shapeCorner(shape, edge);
-    const glm::dvec2 from = shapeCorner(shape, (edge + 1) % 3) - own;
-    const glm::dvec2 to = start - end;
-    // The turn from `from` to `to` as a complex factor; its size is 1 but for rounding and for
-    // faces whose shape was replaced.
-    const double squared = glm::dot(from, from);
-    const glm::dvec2 turn(glm::dot(from, to) / squared, cross(from, to) / squared);
-    const glm::dvec2 p = shapeCorner(shape, (edge + 2) % 3) - own;
-    return end + glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
 }
 
 } // namespace

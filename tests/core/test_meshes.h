@@ -5,6 +5,7 @@
 
 #include "core/mesh/triangle_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
