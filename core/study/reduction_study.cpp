@@ -46,23 +46,6 @@ std::vector<float> means(Level level)
     return values;
 }
 
-/// What images do: the mean of 2 × 2 pixels of the packed square.
-void boxReduce(Level fine, std::span<const std::byte> source, std::span<std::byte> target)
-{
-    const std::uint32_t wide = fine.resolution();
-    const std::uint32_t narrow = wide / 2;
-    std::vector<float> from(fine.texelCount());
-    std::vector<float> to(fine.coarser().texelCount());
-    decode(TexelType::Float, source, from);
-    for (std::uint32_t y = 0; y < narrow; ++y) {
-        for (std::uint32_t x = 0; x < narrow; ++x) {
-            const float* row = from.data() + std::size_t{2 * y} * wide + 2 * x;
-            to[std::size_t{y} * narrow + x] = 0.25F * (row[0] + row[1] + row[wide] + row[wide + 1]);
-        }
-    }
-    encode(TexelType::Float, to, target);
-}
-
 struct Rule
 {
     std::string name;
@@ -72,14 +55,15 @@ struct Rule
 
 std::vector<Rule> rules()
 {
-    const auto right = [](const TexelFormat& format) {
-        return [format](Level fine, std::span<const std::byte> from, std::span<std::byte> to) {
-            reduceTexels(format, fine, from, to);
-        };
+    const auto by = [](const TexelFormat& format, ReductionRule rule) {
+        return
+            [format, rule](Level fine, std::span<const std::byte> from, std::span<std::byte> to) {
+                reduceTexels(format, fine, from, to, rule);
+            };
     };
-    return {{"triangles, float", kFloat, right(kFloat)},
-            {"triangles, uint8", kBytes, right(kBytes)},
-            {"2 × 2 box, float", kFloat, boxReduce}};
+    return {{"triangles, float", kFloat, by(kFloat, ReductionRule::Triangles)},
+            {"triangles, uint8", kBytes, by(kBytes, ReductionRule::Triangles)},
+            {"2 × 2 box, float", kFloat, by(kFloat, ReductionRule::Box)}};
 }
 
 double timed(const Rule& rule, Level fine, std::span<const std::byte> from, std::span<std::byte> to)

@@ -39,7 +39,13 @@ auto meanOfFour(const std::array<const std::byte*, 4>& from, std::size_t channel
     }
 }
 
-template <TexelType kType>
+template <ReductionRule kRule>
+std::array<PackedPixel, 4> pixelsBelow(Level fine, PackedPixel coarse)
+{
+    return kRule == ReductionRule::Box ? boxPixels(coarse) : finerPixels(fine, coarse);
+}
+
+template <TexelType kType, ReductionRule kRule>
 void reduceFull(const TexelFormat& format,
                 Level fine,
                 std::span<const std::byte> source,
@@ -52,7 +58,8 @@ void reduceFull(const TexelFormat& format,
     const auto reduceTexel = [&](std::uint32_t x, std::uint32_t y) {
         const PackedPixel pixel{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
         std::array<const std::byte*, 4> from{};
-        std::ranges::transform(finerPixels(fine, pixel), from.begin(), [&](PackedPixel finer) {
+        const std::array<PackedPixel, 4> below = pixelsBelow<kRule>(fine, pixel);
+        std::ranges::transform(below, from.begin(), [&](PackedPixel finer) {
             return source.data() + indexOf(texelIndex(fine, finer)) * texelBytes;
         });
         std::byte* to = target.data() + (std::size_t{y} * resolution + x) * texelBytes;
@@ -76,18 +83,24 @@ void reduceFull(const TexelFormat& format,
 void reduceTexels(const TexelFormat& format,
                   Level fine,
                   std::span<const std::byte> source,
-                  std::span<std::byte> target)
+                  std::span<std::byte> target,
+                  ReductionRule rule)
 {
     check(fine.log2() >= 1, "a level to reduce");
-    check(source.size() == format.texelBytes() * fine.texelCount()
-              && target.size() == format.texelBytes() * fine.coarser().texelCount(),
+    check(source.size() == format.texelBytes() * fine.texelCount() &&
+              target.size() == format.texelBytes() * fine.coarser().texelCount(),
           "all texels of both levels");
     withTexelType(format.type, [&](auto type) {
-        reduceFull<decltype(type)::value>(format, fine, source, target);
+        constexpr TexelType kType = decltype(type)::value;
+        if (rule == ReductionRule::Box) {
+            reduceFull<kType, ReductionRule::Box>(format, fine, source, target);
+        } else {
+            reduceFull<kType, ReductionRule::Triangles>(format, fine, source, target);
+        }
     });
 }
 
-FaceTexels reduced(const TexelFormat& format, const FaceTexels& face)
+FaceTexels reduced(const TexelFormat& format, const FaceTexels& face, ReductionRule rule)
 {
     check(face.level().log2() >= 1, "a level to reduce");
     check(face.texelBytes() == format.texelBytes(), "texels in the format");
@@ -96,7 +109,7 @@ FaceTexels reduced(const TexelFormat& format, const FaceTexels& face)
         return face.atLevel(coarse);
     }
     std::vector<std::byte> texels(format.texelBytes() * coarse.texelCount());
-    reduceTexels(format, face.level(), face.bytes(), texels);
+    reduceTexels(format, face.level(), face.bytes(), texels, rule);
     return FaceTexels::full(coarse, format.texelBytes(), texels);
 }
 
