@@ -6,7 +6,6 @@
 #include "core/io/ptx_encode.h"
 #include "core/io/ptx_neighbourhood.h"
 #include "core/mesh/shared_progress.h"
-#include "core/texture/mips.h"
 
 #include <algorithm>
 #include <atomic>
@@ -76,6 +75,7 @@ public:
     ChunkPacker(const TexelFormat& format, bool mips)
         : m_format(format)
         , m_mips(mips)
+        , m_reducer(format)
     {
     }
 
@@ -121,39 +121,21 @@ private:
         return blocks.headers.back().size() > 0;
     }
 
-    // Each reduction is made from the one before it as stored.
     bool packReductions(const FaceTexels& face)
     {
-        const int count = ptxReductions(face.level());
         std::vector<PtxBlocks>& bins =
             m_chunk.reductions[static_cast<std::size_t>(face.level().log2())];
-        bins.resize(static_cast<std::size_t>(count));
-        std::span<const std::byte> finer = face.bytes();
-        if (m_format.alpha && count > 0) {
-            const std::span<std::byte> premultiplied = m_premultiplied.first(finer.size());
-            std::ranges::copy(finer, premultiplied.begin());
-            premultiply(m_format, premultiplied);
-            finer = premultiplied;
-        }
-        for (int k = 0; k < count; ++k) {
-            const Level level = face.level().coarser(k + 1);
-            const std::span<std::byte> coarser =
-                m_reductions[static_cast<std::size_t>(k % 2)].first(level.texelCount() *
-                                                                    m_format.texelBytes());
-            reduceTexels(m_format, face.level().coarser(k), finer, coarser);
-            if (!packBlock(level, coarser, bins[static_cast<std::size_t>(k)])) {
-                return false;
-            }
-            finer = coarser;
-        }
-        return true;
+        bins.resize(static_cast<std::size_t>(ptxReductions(face.level())));
+        auto bin = bins.begin();
+        return m_reducer.forEach(face, [&](Level level, std::span<const std::byte> texels) {
+            return packBlock(level, texels, *bin++);
+        });
     }
 
     TexelFormat m_format;
     bool m_mips;
     PtxEncoder m_encoder;
-    Buffer m_premultiplied;
-    std::array<Buffer, 2> m_reductions;
+    PtxReducer m_reducer;
     PtxChunk m_chunk;
 };
 

@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/ptx_layout.h"
+#include "core/io/ptx_reductions.h"
 #include "core/mesh/adjacency.h"
 #include "core/texture/texel_store.h"
 
@@ -16,15 +17,6 @@
 #include <vector>
 
 namespace trixel {
-
-/// Smallest reduction that is stored: 4 by 4 texels.
-inline constexpr int kSmallestPtxReduction = 2;
-
-/// How many reductions of a face that is not constant are stored.
-constexpr int ptxReductions(Level level)
-{
-    return level.log2() > kSmallestPtxReduction ? level.log2() - kSmallestPtxReduction : 0;
-}
 
 /// Blocks one after the other, and their headers.
 struct PtxBlocks
