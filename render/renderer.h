@@ -32,6 +32,8 @@ public:
     /// The mesh to draw; texels of the one before are forgotten.
     Status setMesh(const TriangleMesh& mesh);
     void setNormals(std::span<const std::uint32_t> normals) { m_surface->setNormals(normals); }
+    /// See `SurfacePass::setFaceColors`.
+    void setFaceColors(std::span<const std::uint32_t> colors) { m_surface->setFaceColors(colors); }
     /// No mesh at all.
     void clear();
 

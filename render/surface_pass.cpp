@@ -19,14 +19,14 @@ std::unique_ptr<TextureBuffer> texelBuffer(Gl& gl, DisplayFormat format)
 std::size_t variantOf(const SurfaceStyle& style)
 {
     return (style.lit ? 1U : 0U) | (style.wireframe ? 2U : 0U) | (style.texelGrid ? 4U : 0U) |
-           (style.hasAlpha ? 8U : 0U);
+           (style.hasAlpha ? 8U : 0U) | (style.faceColors ? 16U : 0U);
 }
 
 QByteArray definesOf(std::size_t variant)
 {
     QByteArray lines;
     std::size_t bit = 1;
-    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA"}) {
+    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA", "FACE_COLORS"}) {
         lines += QByteArray("#define ") + name + ((variant & bit) != 0 ? " 1\n" : " 0\n");
         bit *= 2;
     }
@@ -50,6 +50,7 @@ SurfacePass::SurfacePass(Gl& gl)
     , m_triangles(gl, GL_RGB32UI, sizeof(Triangle))
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
     , m_records(gl, GL_RG32UI, sizeof(FaceRecord))
+    , m_faceColors(gl, GL_RGBA8, sizeof(std::uint32_t))
 {
 }
 
@@ -67,6 +68,7 @@ Status SurfacePass::makeProgram(std::size_t variant)
     program.setUniformValue("normals", 2);
     program.setUniformValue("records", 3);
     program.setUniformValue("texels", 4);
+    program.setUniformValue("faceColors", 5);
     program.release();
     m_programs[variant] = std::move(*made);
     return {};
@@ -86,6 +88,7 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
 {
     m_faceCount = 0;
     m_normals.fill({});
+    m_faceColors.fill({});
     const std::size_t most = TextureBuffer::maxElements(m_gl);
     if (mesh.positions.size() > most || 3 * mesh.faceCount() > most) {
         return contentsError("The graphics card shows at most " + std::to_string(most / 3) +
@@ -103,6 +106,12 @@ void SurfacePass::setNormals(std::span<const std::uint32_t> normals)
 {
     check(normals.size() == 3 * m_faceCount, "three normals a face");
     m_normals.fill(std::as_bytes(normals));
+}
+
+void SurfacePass::setFaceColors(std::span<const std::uint32_t> colors)
+{
+    check(colors.empty() || colors.size() == m_faceCount, "a colour a face");
+    m_faceColors.fill(std::as_bytes(colors));
 }
 
 void SurfacePass::upload(const DisplayUpdate& update,
@@ -136,7 +145,9 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
         return;
     }
     // The same source has compiled for another style: failing here is for lack of memory at most.
-    const std::size_t variant = variantOf(style);
+    SurfaceStyle possible = style;
+    possible.faceColors = style.faceColors && m_faceColors.size() > 0;
+    const std::size_t variant = variantOf(possible);
     if (!m_programs[variant] && !makeProgram(variant)) {
         return;
     }
@@ -147,6 +158,7 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
     m_normals.bind(2);
     m_records.bind(3);
     m_texels->bind(4);
+    m_faceColors.bind(5);
     program.setUniformValue("view", toQt(camera.view()));
     program.setUniformValue("projection", toQt(camera.projection()));
     program.setUniformValue("hasNormals", m_normals.size() > 0);

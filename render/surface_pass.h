@@ -23,6 +23,7 @@ struct SurfaceStyle
     bool wireframe = false;
     bool texelGrid = false;
     bool hasAlpha = false;   ///< texels lie over a checker
+    bool faceColors = false; ///< each face in its one colour, in place of its texels
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
 
@@ -42,13 +43,16 @@ public:
     void
     upload(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);
 
+    /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
+    void setFaceColors(std::span<const std::uint32_t> colors);
+
     void draw(const Camera& camera, const SurfaceStyle& style);
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();
 
 private:
-    static constexpr std::size_t kVariants = 16;
+    static constexpr std::size_t kVariants = 32;
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);
@@ -60,6 +64,7 @@ private:
     TextureBuffer m_triangles;
     TextureBuffer m_normals;
     TextureBuffer m_records;
+    TextureBuffer m_faceColors;
     std::unique_ptr<TextureBuffer> m_texels;
     DisplayFormat m_format = DisplayFormat::Rgba8;
     std::size_t m_faceCount = 0;

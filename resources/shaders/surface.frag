@@ -1,9 +1,10 @@
 #version 410 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LIT, WIREFRAME, TEXEL_GRID and ALPHA are defined as 0 or 1: a program for each way of drawing,
+// LIT, WIREFRAME, TEXEL_GRID, ALPHA and FACE_COLORS are defined as 0 or 1: a program for each way of drawing,
 // because a processor that draws runs both sides of every branch.
 uniform samplerBuffer texels;
+uniform samplerBuffer faceColors; // one a face
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
 
@@ -113,13 +114,14 @@ void main()
     vec3 bary = vec3(uv, 1.0 - uv.x - uv.y);
     vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));
 
-    vec4 texel = texelColor(resolution);
+    vec4 texel =
+        FACE_COLORS == 1 ? texelFetch(faceColors, gl_PrimitiveID) : texelColor(resolution);
     vec3 own = ALPHA == 1 ? overChecker(texel) : texel.rgb;
     vec3 shown = own;
     if (LIT == 1) {
         shown = shade(shown, shadingNormal());
     }
-    if (!gl_FrontFacing) {
+    if (FACE_COLORS == 0 && !gl_FrontFacing) {
         shown *= 0.72;
     }
     if (TEXEL_GRID == 1) {

@@ -22,7 +22,7 @@ constexpr QColor kFaint(0xa8, 0xa8, 0xac);
 
 bool hasScale(ViewMapKind map)
 {
-    return map == ViewMapKind::Condition || map == ViewMapKind::Error || map == ViewMapKind::Fit;
+    return map != ViewMapKind::None && map != ViewMapKind::Filtered;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace trixel::ui {
@@ -40,8 +41,39 @@ MapScale MapScale::about(double tolerance)
     return scale;
 }
 
+MapScale MapScale::ofLevels(int low, int high)
+{
+    MapScale scale;
+    scale.m_isLinear = true;
+    scale.m_low = low;
+    scale.m_high = std::max(high, low + 1);
+    for (int level = low; level <= high; ++level) {
+        scale.m_ticks.push_back({double(level), QString::number(level)});
+    }
+    return scale;
+}
+
+MapScale MapScale::ofDensities(double low, double high)
+{
+    constexpr double kLeastRatio = 4; // alike densities look alike
+    MapScale scale;
+    const double middle = std::sqrt(low * high);
+    const double ratio = std::sqrt(std::max(high / low, kLeastRatio));
+    scale.m_low = middle / ratio;
+    scale.m_high = middle * ratio;
+    constexpr int kTicks = 4;
+    for (int k = 0; k <= kTicks; ++k) {
+        const double value = scale.m_low * std::pow(ratio, 2.0 * k / kTicks);
+        scale.m_ticks.push_back({value, QString::number(value, 'g', 3)});
+    }
+    return scale;
+}
+
 double MapScale::position(double value) const
 {
+    if (m_isLinear) {
+        return (value - m_low) / (m_high - m_low);
+    }
     return std::log(value / m_low) / std::log(m_high / m_low);
 }
 
@@ -52,6 +84,13 @@ QString MapScale::text(ViewMapKind map, double value)
     }
     if (std::isinf(value)) {
         return "∞";
+    }
+    if (map == ViewMapKind::Level) {
+        return QCoreApplication::translate("MapScale", "level %1").arg(value);
+    }
+    if (map == ViewMapKind::Density) {
+        return QCoreApplication::translate("MapScale", "%1 texels a unit")
+            .arg(QString::number(value, 'g', 3));
     }
     if (map == ViewMapKind::Fit) {
         return QString("%1 / 255").arg(QString::number(255 * value, 'g', 3));

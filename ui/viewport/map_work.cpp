@@ -23,8 +23,6 @@ constexpr int kMostBandRows = 128;
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
-constexpr render::Rgb kInNoView{112, 112, 112};
-
 class CancelOnly final : public Progress
 {
 public:
@@ -63,8 +61,7 @@ class Evaluator
 public:
     explicit Evaluator(const MapWork& work)
         : m_work(work)
-        , m_scale(work.map == ViewMapKind::Fit ? MapScale::about(work.faceErrors.tolerance)
-                                               : MapScale::of(work.map))
+        , m_scale(MapScale::of(work.map))
     {
         if (work.scene) {
             m_method = makeMethod(work.method);
@@ -84,11 +81,7 @@ private:
     {
         Answers answers;
         answers.values.resize(queries.size());
-        if (m_work.map == ViewMapKind::Fit) {
-            std::ranges::transform(queries.face, answers.values.begin(), [this](FaceId face) {
-                return (*m_work.faceErrors.rms)[face];
-            });
-        } else if (m_work.map == ViewMapKind::Condition) {
+        if (m_work.map == ViewMapKind::Condition) {
             footprintConditions(*m_work.surface, queries, Threads::all(), answers.values);
         } else {
             filterDifferences(*m_work.scene,
@@ -101,8 +94,7 @@ private:
         }
         answers.colors.reserve(queries.size());
         for (const float value : answers.values) {
-            const bool isUnseen = m_work.map == ViewMapKind::Fit && std::isnan(value);
-            answers.colors.push_back(opaque(isUnseen ? kInNoView : m_scale.color(double{value})));
+            answers.colors.push_back(opaque(m_scale.color(double{value})));
         }
         return answers;
     }

@@ -3,7 +3,6 @@
 
 #include <QPromise>
 
-#include "core/base/face_map.h"
 #include "core/filter/filter_method.h"
 #include "core/study/views/view_queries.h"
 #include "ui/viewport/view_settings.h"
@@ -14,23 +13,15 @@
 
 namespace trixel::ui {
 
-/// What a planned fit leaves on each face.
-struct FaceErrors
-{
-    std::shared_ptr<const FaceMap<float>> rms; ///< NaN where no view frames the face
-    double tolerance = 0;
-};
-
-/// All that a map of a view is computed from; nothing of it changes meanwhile.
+/// All that a map of one number a pixel is computed from; nothing of it changes meanwhile.
 struct MapWork
 {
-    ViewMapKind map = ViewMapKind::None;
+    ViewMapKind map = ViewMapKind::None; ///< one of Filtered, Condition and Error
     ViewCamera camera;
     std::shared_ptr<const Surface> surface;
-    std::shared_ptr<const FilterScene> scene; ///< not needed for Condition and Fit
+    std::shared_ptr<const FilterScene> scene; ///< not needed for Condition
     MethodChoice method;
-    double range = 0;      ///< of the values
-    FaceErrors faceErrors; ///< for Fit alone
+    double range = 0; ///< of the values
 };
 
 /// Some rows of the picture, which take the place of those computed before.

@@ -25,6 +25,12 @@ bool readsTexels(ViewMapKind map)
     return map == ViewMapKind::Filtered || map == ViewMapKind::Error;
 }
 
+/// Nothing where the map has no number.
+std::optional<float> toNumber(float value)
+{
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 } // namespace
 
 ViewMap::ViewMap(const Document& document,
@@ -53,9 +59,17 @@ ViewMap::ViewMap(const Document& document,
             restart();
         }
     });
+    connect(&m_faceWatcher, &QFutureWatcherBase::finished, this, &ViewMap::takeFaces);
     connect(&viewport, &Viewport::cameraChanged, this, [this] {
         m_legend->place();
-        restart();
+        if (!isOfFaces(m_map)) {
+            restart();
+        }
+    });
+    connect(&document, &Document::levelsChanged, this, [this] {
+        if (isOfFaces(m_map)) {
+            restart();
+        }
     });
     connect(&document, &Document::opened, this, &ViewMap::restart);
     connect(&document, &Document::changed, this, [this] {
@@ -87,6 +101,8 @@ ViewMap::~ViewMap()
     m_watcher.disconnect(this);
     m_watcher.cancel();
     m_watcher.waitForFinished();
+    m_faceWatcher.disconnect(this);
+    m_faceWatcher.waitForFinished();
 }
 
 void ViewMap::takeOptions()
@@ -143,11 +159,13 @@ bool ViewMap::isReady() const
 void ViewMap::drop()
 {
     m_watcher.cancel();
+    m_faceWatcher.cancel();
     m_completeStep = 0;
     m_step = 0;
     m_rows = 0;
     m_values.clear();
     m_viewport.clearPicture();
+    m_viewport.setFaceColors({});
     showValue();
     emit progressed();
 }
@@ -157,12 +175,43 @@ void ViewMap::begin()
     if (!m_document.isOpen() || !isReady()) {
         return; // begins again when it is
     }
+    if (isOfFaces(m_map)) {
+        beginFaces();
+    } else {
+        beginPixels();
+    }
+}
+
+void ViewMap::beginFaces()
+{
+    FaceMapWork work{m_map, m_document.surface(), m_document.texels(), m_faceErrors};
+    m_faceWatcher.setFuture(
+        QtConcurrent::run([work = std::move(work)] { return computeFaceMap(work); }));
+    showState();
+}
+
+void ViewMap::takeFaces()
+{
+    if (m_faceWatcher.isCanceled()) {
+        return; // of a map that is gone
+    }
+    const FaceNumbers numbers = m_faceWatcher.result();
+    m_viewport.setFaceColors(numbers.colors);
+    m_values = numbers.values;
+    m_completeStep = 1;
+    m_legend->setMap(m_map, title(), numbers.scale);
+    showState();
+    showValue();
+    emit progressed();
+}
+
+void ViewMap::beginPixels()
+{
     MapWork work;
     work.map = m_map;
     work.camera = render::viewOf(m_viewport.camera());
     work.surface = m_document.surface();
     work.method = m_settings.method();
-    work.faceErrors = m_faceErrors;
     if (readsTexels(m_map)) {
         work.scene = m_source.scene();
         work.range = m_source.valueRange();
@@ -200,16 +249,23 @@ void ViewMap::takeBand(const MapBand& band)
 
 std::optional<float> ViewMap::valueAt(QPointF position) const
 {
+    if (m_values.empty()) {
+        return std::nullopt;
+    }
+    if (isOfFaces(m_map)) {
+        const auto point = m_viewport.surfacePointAt(position);
+        return point ? toNumber(m_values[indexOf(point->face)]) : std::nullopt;
+    }
     const double ratio = m_viewport.devicePixelRatioF();
     const QPoint pixel(static_cast<int>(std::floor(position.x() * ratio)),
                        static_cast<int>(std::floor(position.y() * ratio)));
-    if (m_values.empty() || !QRect(QPoint(), m_size).contains(pixel)) {
+    if (!QRect(QPoint(), m_size).contains(pixel)) {
         return std::nullopt;
     }
     const float value =
         m_values[static_cast<std::size_t>(pixel.x()) +
                  static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(m_size.width())];
-    return std::isnan(value) ? std::nullopt : std::optional(value);
+    return toNumber(value);
 }
 
 void ViewMap::showValue()
@@ -253,6 +309,10 @@ QString ViewMap::title() const
         return tr("RMS that the fit leaves on each face, in 1/255; the tolerance is %1. Grey: in "
                   "no view")
             .arg(QString::number(255 * m_faceErrors.tolerance, 'g', 3));
+    case ViewMapKind::Level:
+        return tr("Level of each face: 4 to the power of it texels");
+    case ViewMapKind::Density:
+        return tr("Density of each face: texels along a unit of length");
     case ViewMapKind::None:
         break;
     }

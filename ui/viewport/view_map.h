@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "ui/viewport/face_map.h"
 #include "ui/viewport/map_work.h"
 #include "ui/viewport/viewport.h"
 
@@ -18,9 +19,11 @@ class FilterSceneSource;
 class MapLegend;
 class ViewSettings;
 
-/// A picture of numbers over the view, by `ViewOptions::map`: computed in the background for the
-/// camera as it stands, first coarsely, then finer until every pixel is its own; thrown away as
-/// soon as the camera, the texels or the method are others.
+/// A picture of numbers over the view, by `ViewOptions::map`, computed in the background.
+///
+/// Numbers of pixels are those of the camera as it stands, first coarsely, then finer until every
+/// pixel is its own; thrown away as soon as the camera, the texels or the method are others.
+/// Numbers of faces colour the surface itself and stay while the camera moves.
 class ViewMap : public QObject
 {
     Q_OBJECT
@@ -53,6 +56,9 @@ private:
     void takeOptions();
     void restart();
     void begin();
+    void beginPixels();
+    void beginFaces();
+    void takeFaces();
     void takeBand(const MapBand& band);
     void drop();
     void showState();
@@ -68,7 +74,8 @@ private:
     MapLegend* m_legend; ///< a child of the viewport
     QTimer m_pause;
     QFutureWatcher<MapBand> m_watcher;
-    std::vector<float> m_values; ///< of every pixel of the view; empty when there are none
+    QFutureWatcher<FaceNumbers> m_faceWatcher;
+    std::vector<float> m_values; ///< of every pixel of the view or face; empty when there are none
     QSize m_size;
     FaceErrors m_faceErrors;
     ViewMapKind m_map = ViewMapKind::None;

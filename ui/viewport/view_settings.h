@@ -12,13 +12,15 @@ namespace trixel::ui {
 /// What the pointer does on the surface.
 enum class Tool { Brush, Eraser, Fill, Pick, Select };
 
-/// A picture of numbers over the view, computed for each pixel.
+/// A picture of numbers over the view: for each pixel, or for each face.
 enum class ViewMapKind {
     None,
     Filtered,  ///< the texels as the chosen filter method sees them
     Condition, ///< of the pixel's footprint
     Error,     ///< of the chosen method against the exact answer
-    Fit        ///< that a planned fit leaves on each face
+    Fit,       ///< that a planned fit leaves on each face
+    Level,     ///< of each face
+    Density    ///< texels for a unit of length, of each face
 };
 
 /// How the viewport draws. A value: compared, copied, stored in settings.

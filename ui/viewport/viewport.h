@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace trixel {
 struct ViewCamera;
@@ -96,6 +97,11 @@ public:
     void setPictureRows(std::span<const std::uint32_t> pixels, QSize size, int firstRow);
     void clearPicture();
     bool hasPicture() const;
+
+    /// Shows each face in one colour, unlit and without texels, or its texels again.
+    /// \param colors  R G B A a face of the document's surface (checked); empty: none
+    void setFaceColors(std::vector<std::uint32_t> colors);
+    bool hasFaceColors() const;
 
     /// Shows other texels of the document's surface in place of its own, or its own again. Ends by
     /// itself when the document's texels change.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is laid over the surface: a computed picture, and a marked edge.
+// What is laid over the surface: a computed picture, colours of faces, and a marked edge.
 #include "core/base/check.h"
 #include "core/lattice/edge_transfer.h"
 #include "ui/viewport/viewport_private.h"
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace trixel::ui {
 
@@ -66,6 +67,21 @@ bool Viewport::hasPicture() const
     return d->picture.size != glm::ivec2(0);
 }
 
+void Viewport::setFaceColors(std::vector<std::uint32_t> colors)
+{
+    check(colors.empty() || colors.size() == d->document.texels().faceCount(), "a colour a face");
+    if (colors != d->faceColors) {
+        d->faceColors = std::move(colors);
+        d->faceColorsDirty = true;
+        d->redraw();
+    }
+}
+
+bool Viewport::hasFaceColors() const
+{
+    return !d->faceColors.empty();
+}
+
 void Viewport::showOtherTexels(std::optional<TexelStore> texels)
 {
     check(!texels || texels->faceCount() == d->document.texels().faceCount(),
@@ -99,6 +115,14 @@ void Viewport::Private::sendPicture()
     picture.isNew = false;
     picture.firstTouched = picture.size.y;
     picture.endTouched = 0;
+}
+
+/// The context is current.
+void Viewport::Private::sendFaceColors()
+{
+    if (std::exchange(faceColorsDirty, false)) {
+        renderer->setFaceColors(faceColors);
+    }
 }
 
 void Viewport::markEdge(std::optional<SurfaceEdge> edge)

@@ -74,6 +74,7 @@ public:
 
     // viewport_picture.cpp: what is laid over it
     void sendPicture();
+    void sendFaceColors();
     std::optional<render::Polyline> edgeMark() const;
 
     // viewport_hover.cpp: what is under the pointer
@@ -114,6 +115,8 @@ public:
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
 
     PictureOver picture;
+    std::vector<std::uint32_t> faceColors; ///< shown in place of texels; empty when they are not
+    bool faceColorsDirty = false;
     std::optional<TexelStore> otherTexels; ///< shown in place of the document's
     std::optional<SurfaceEdge> markedEdge;
 

@@ -34,6 +34,7 @@ void Viewport::Private::takeSurface()
     normals.clear();
     shownSurface = document.surface();
     setOtherTexels(std::nullopt);
+    faceColors.clear();
     markedEdge.reset();
     hoveredTexel.reset();
     emit q.hovered(std::nullopt);
@@ -126,6 +127,7 @@ void Viewport::Private::draw()
     sendMesh();
     sendTexels(kUploadMs);
     sendPicture();
+    sendFaceColors();
     renderer->draw(scene());
     if (!shownSurface) {
         paintHint();
@@ -155,6 +157,7 @@ void Viewport::Private::sendMesh()
         return;
     }
     texelsDirty = true;
+    faceColorsDirty = !faceColors.empty();
     if (!shownSurface) {
         renderer->clear();
         return;
@@ -229,7 +232,12 @@ render::Scene Viewport::Private::scene() const
     result.surface.lit = shownView.lit;
     result.surface.wireframe = shownView.wireframe;
     result.surface.texelGrid = shownView.texelGrid;
-    result.surface.hasAlpha = texels().format().alpha.has_value();
+    if (!faceColors.empty()) { // colours that mean numbers must be seen as they are
+        result.surface.faceColors = true;
+        result.surface.lit = false;
+        result.surface.texelGrid = false;
+    }
+    result.surface.hasAlpha = !result.surface.faceColors && texels().format().alpha.has_value();
     result.surface.pixelRatio = static_cast<float>(q.devicePixelRatioF());
     result.overlays = overlays();
     return result;

@@ -70,6 +70,11 @@ void MapActions::makeMaps(QWidget& window)
          tr("F&it to Scene"),
          tr("Show the error that the planned fit leaves on each face"),
          Qt::Key_5},
+        {ViewMapKind::Level, tr("&Level"), tr("Show the level of each face"), Qt::Key_6},
+        {ViewMapKind::Density,
+         tr("&Density"),
+         tr("Show how many texels each face has along a unit of length"),
+         Qt::Key_7},
     };
     auto* group = new QActionGroup(this);
     for (const Choice& choice : choices) {

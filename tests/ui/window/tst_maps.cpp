@@ -176,6 +176,53 @@ private slots:
         }
     }
 
+    void levelsColourTheFacesAndStayWhileTheCameraMoves()
+    {
+        TexelStore texels = document().texels();
+        const Level own = texels.face(FaceId{20}).level();
+        texels.exchange(FaceId{20}, texels.face(FaceId{20}).atLevel(own.coarser()));
+        QVERIFY(document().replaceTexels(texels, document().state(), "coarser"));
+        show(ViewMapKind::Level);
+        const int coarse = own.log2() - 1;
+        const MapScale scale = MapScale::ofLevels(coarse, coarse + 1);
+        const auto colorOf = [&](int level) {
+            const render::Rgb color = scale.color(level);
+            return QColor(color[0], color[1], color[2]);
+        };
+        QCOMPARE(seen(placeOf(20)), colorOf(coarse));
+        QCOMPARE(seen(placeOf(60)), colorOf(coarse + 1));
+        QCOMPARE(*map().valueAt(placeOf(20)), float(coarse));
+        hover(view(), placeOf(60));
+        QCOMPARE(map().legend().valueText(), QString("level %1").arg(coarse + 1));
+        const QPoint middle = view().rect().center();
+        drag(view(), Qt::AltModifier, middle, middle + QPoint(20, 30));
+        QVERIFY(map().isComplete());
+        QCOMPARE(seen(placeOf(20)), colorOf(coarse));
+        document().undoStack().undo();
+        QTRY_VERIFY(map().isComplete());
+        QCOMPARE(*map().valueAt(placeOf(20)), float(coarse + 1));
+        press(Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(!view().hasFaceColors());
+        QCOMPARE(seen(placeOf(20)), QColor(255, 0, 0));
+    }
+
+    void densityIsTexelsAlongAUnit()
+    {
+        press(Qt::Key_7, Qt::ControlModifier);
+        QTRY_VERIFY(map().isComplete());
+        const TriangleMesh& mesh = document().surface()->mesh();
+        const Level level = document().texels().face(FaceId{20}).level();
+        const auto corners = mesh.corners(FaceId{20});
+        double squares = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float length = glm::length(corners[k] - corners[(k + 1) % 3]);
+            squares += double{length} * double{length};
+        }
+        const double wanted = level.resolution() / std::sqrt(squares / 3);
+        QVERIFY(std::abs(double{*map().valueAt(placeOf(20))} / wanted - 1) < 1e-5);
+        QVERIFY(map().legend().isVisible());
+    }
+
     void everyMethodCanBeChosenFromTheMenu()
     {
         for (const MethodEntry& entry : filterMethods()) {
