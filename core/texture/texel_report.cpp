@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace trixel {
 
@@ -49,6 +50,27 @@ std::string storedNumber(TexelType type, float value)
 {
     return isWhole(type) ? std::to_string(std::lround(double{value} * top(type)))
                          : general(double{value}, 7);
+}
+
+/// The first few, two spaces between them.
+template <class Write>
+std::string listed(std::span<const float> values, const Write& write)
+{
+    std::string text;
+    for (const float value : values.first(std::min(values.size(), kChannelsInText))) {
+        text += text.empty() ? "" : "  ";
+        text += write(value);
+    }
+    if (values.size() > kChannelsInText) {
+        text += "  … (" + std::to_string(values.size()) + " channels)";
+    }
+    return text;
+}
+
+/// As many digits as a screen can tell apart.
+std::string shownNumber(float value)
+{
+    return general(double{value}, 4);
 }
 
 /// The number with nine digits, which is as many as a float takes to be read back.
@@ -125,7 +147,10 @@ std::string fixed(double value)
 
 } // namespace
 
-TexelReport describe(const WalkedSurface& surface, const TexelPlace& place, glm::dvec2 uv)
+TexelReport describe(const WalkedSurface& surface,
+                     const TexelPlace& place,
+                     glm::dvec2 uv,
+                     std::span<const std::byte> stored)
 {
     check(indexOf(place.face) < surface.texels.faceCount(), "a face of the surface");
     const FaceTexels& face = surface.texels.face(place.face);
@@ -137,8 +162,11 @@ TexelReport describe(const WalkedSurface& surface, const TexelPlace& place, glm:
     report.pixel = packedPixel(report.level, place.texel);
     report.uv = uv;
     report.format = surface.texels.format();
-    report.stored.resize(report.format.texelBytes());
-    reducedTexel(report.format, face, report.levelsDropped, report.index, report.stored);
+    report.stored.assign(stored.begin(), stored.end());
+    if (stored.empty()) {
+        report.stored.resize(report.format.texelBytes());
+        reducedTexel(report.format, face, report.levelsDropped, report.index, report.stored);
+    }
     report.values.resize(report.format.channels);
     decode(report.format.type, report.stored, report.values);
     for (const LocalEdge edge : kLocalEdges) {
@@ -149,15 +177,7 @@ TexelReport describe(const WalkedSurface& surface, const TexelPlace& place, glm:
 
 std::string storedText(TexelType type, std::span<const float> values)
 {
-    std::string text;
-    for (const float value : values.first(std::min(values.size(), kChannelsInText))) {
-        text += text.empty() ? "" : "  ";
-        text += storedNumber(type, value);
-    }
-    if (values.size() > kChannelsInText) {
-        text += "  … (" + std::to_string(values.size()) + " channels)";
-    }
-    return text;
+    return listed(values, [type](float value) { return storedNumber(type, value); });
 }
 
 std::string hexText(const TexelFormat& format, std::span<const std::byte> stored)
@@ -187,11 +207,11 @@ std::string neighbourText(const std::optional<TexelsAcross>& neighbour)
                      std::to_string(neighbour->count) + ")";
 }
 
-std::string toText(const TexelReport& report)
+std::vector<ReportLine> linesOf(const TexelReport& report)
 {
-    std::string text;
-    const auto add = [&](std::string_view name, const std::string& value) {
-        text += std::string(name) + ": " + value + "\n";
+    std::vector<ReportLine> lines;
+    const auto add = [&lines](std::string name, std::string value) {
+        lines.push_back({std::move(name), std::move(value)});
     };
     const std::string resolution = std::to_string(report.level.resolution());
     add("Address", toText(report.place));
@@ -219,11 +239,20 @@ std::string toText(const TexelReport& report)
     add("Stored", storedText(report.format.type, report.values));
     add("Bytes", toHex(report));
     if (report.display) {
-        add("Shown", storedText(TexelType::Float, report.display->values));
+        add("Shown", listed(report.display->values, shownNumber));
         add("Colour", colorText(report.display->color));
     }
     for (std::size_t edge = 0; edge < report.neighbours.size(); ++edge) {
         add(std::string("Edge ") + std::to_string(edge), neighbourText(report.neighbours[edge]));
+    }
+    return lines;
+}
+
+std::string toText(const TexelReport& report)
+{
+    std::string text;
+    for (const ReportLine& line : linesOf(report)) {
+        text.append(line.name).append(": ").append(line.value).append("\n");
     }
     return text;
 }

@@ -48,9 +48,13 @@ struct TexelReport
     double w() const { return 1 - uv.x - uv.y; }
 };
 
-/// \param place  a texel of the surface (checked)
-/// \param uv     a point of the face
-TexelReport describe(const WalkedSurface& surface, const TexelPlace& place, glm::dvec2 uv);
+/// \param place   a texel of the surface (checked)
+/// \param uv      a point of the face
+/// \param stored  the bytes of the texel, where they are known; else they are read or reduced
+TexelReport describe(const WalkedSurface& surface,
+                     const TexelPlace& place,
+                     glm::dvec2 uv,
+                     std::span<const std::byte> stored = {});
 
 /// Numbers as the type stores them, separated by two spaces: whole ones for the integer types,
 /// else seven digits; the first few of many channels, and how many there are.
@@ -62,7 +66,18 @@ std::string hexText(const TexelFormat& format, std::span<const std::byte> stored
 /// "7:3,1,lower", "7:4,0,lower to 7:7,0,lower (4)", "border".
 std::string neighbourText(const std::optional<TexelsAcross>& neighbour);
 
-/// "Face: 12" and so on, one property a line.
+/// One property of a texel in words.
+struct ReportLine
+{
+    std::string name; ///< "Stored at"
+    std::string value;
+};
+
+/// Address, Face, Level, Texel, Stored at, u v w, Position, Stored, Bytes, Shown, Colour, Edge 0 to
+/// Edge 2; without those that are not known.
+std::vector<ReportLine> linesOf(const TexelReport& report);
+
+/// "Face: 12" and so on: `linesOf`, each ended.
 std::string toText(const TexelReport& report);
 
 /// The stored bytes: `hexText`.

@@ -3,6 +3,8 @@
 
 #include <QStringList>
 
+#include "core/texture/texel_address.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,30 +20,6 @@ QString number(double value, int digits)
 }
 
 } // namespace
-
-QString texelText(const TexelCoord& texel)
-{
-    return QString("(%1, %2) %3")
-        .arg(texel.i)
-        .arg(texel.j)
-        .arg(texel.half == TexelHalf::Lower ? "lower" : "upper");
-}
-
-QString storageText(const HoveredTexel& texel)
-{
-    return QString("pixel %1, %2 · index %3")
-        .arg(texel.pixel.x)
-        .arg(texel.pixel.y)
-        .arg(indexOf(texel.index));
-}
-
-QString barycentricText(glm::vec2 uv)
-{
-    const auto fixed = [](float value) {
-        return QString::number(static_cast<double>(value), 'f', 5);
-    };
-    return QString("%1  %2  %3").arg(fixed(uv.x), fixed(uv.y), fixed(1.0F - uv.x - uv.y));
-}
 
 QString positionText(glm::vec3 position, float size)
 {
@@ -104,43 +82,23 @@ QString filteredText(TexelType type, std::span<const float> values)
     return words.join("  ");
 }
 
-QString storedText(TexelType type, std::span<const float> values)
+QString neighbourLinks(const std::optional<TexelsAcross>& neighbour)
 {
-    const bool whole = type == TexelType::UInt8 || type == TexelType::UInt16;
-    const double top = type == TexelType::UInt8 ? 255.0 : 65535.0;
-    QStringList words;
-    for (const float value : values.first(std::min(values.size(), kValuesShown))) {
-        const auto stored = static_cast<double>(value);
-        words += whole ? QString::number(std::lround(stored * top)) : number(stored, 7);
+    if (!neighbour) {
+        return QStringLiteral("border");
     }
-    if (values.size() > kValuesShown) {
-        words += QString("… (%1 channels)").arg(values.size());
-    }
-    return words.join("  ");
-}
-
-QColor shownColor(std::span<const float> values)
-{
-    if (values.empty()) {
-        return {};
-    }
-    const auto channel = [values](std::size_t k) {
-        const float value = values[std::min(k, values.size() - 1)];
-        return value >= 0.0F ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
+    const auto link = [&](const TexelCoord& texel, const QString& text) {
+        const auto address = QString::fromStdString(toText(TexelPlace{neighbour->face, texel}));
+        return QString("<a href='%1'>%2</a>").arg(address, text.isEmpty() ? address : text);
     };
-    if (values.size() < 3) {
-        return QColor::fromRgbF(channel(0), channel(0), channel(0));
+    if (neighbour->count == 1) {
+        return link(neighbour->first, {});
     }
-    return QColor::fromRgbF(channel(0), channel(1), channel(2), values.size() > 3 ? channel(3) : 1);
-}
-
-QString shownText(const QColor& color)
-{
-    return QString("%1 · %2 %3 %4")
-        .arg(color.name())
-        .arg(color.red())
-        .arg(color.green())
-        .arg(color.blue());
+    // All are lower ones of one face: what is the same need not be read twice.
+    const QString last = QString("%1,%2").arg(neighbour->last.i).arg(neighbour->last.j);
+    return QString("%1 … %2 ×%3")
+        .arg(link(neighbour->first, {}), link(neighbour->last, last))
+        .arg(neighbour->count);
 }
 
 } // namespace trixel::ui

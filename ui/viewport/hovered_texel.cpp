@@ -2,43 +2,95 @@
 #include "ui/viewport/hovered_texel.h"
 
 #include "core/texture/mips.h"
+#include "core/texture/reduced_texel.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace trixel::ui {
+
+namespace {
+
+/// Up to here the texels below one are fewer than a glance costs; from here on it is cheaper to
+/// reduce the face once.
+constexpr int kFewLevels = 6;
+
+} // namespace
 
 std::vector<float>
 ShownTexels::values(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index)
 {
-    const TexelFormat& format = store.format();
-    std::vector<float> result(format.channels);
-    if (levelsDropped == 0) {
-        decode(format.type, store.face(face).texel(indexOf(index)), result);
-        return result;
-    }
-    if (!m_reduced || m_reduced->face != face || m_reduced->levelsDropped != levelsDropped) {
-        m_reduced = {face, levelsDropped, reduced(format, store.face(face), levelsDropped)};
-    }
-    decode(format.type, m_reduced->texels.texel(indexOf(index)), result);
+    std::vector<float> result(store.format().channels);
+    decode(store.format().type, stored(store, face, levelsDropped, index), result);
     return result;
 }
 
-HoveredTexel describeTexel(const TriangleMesh& mesh,
+std::vector<std::byte>
+ShownTexels::stored(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index)
+{
+    const TexelFormat& format = store.format();
+    const FaceTexels& texels = store.face(face);
+    std::vector<std::byte> result(format.texelBytes());
+    if (levelsDropped <= kFewLevels || texels.isConstant()) {
+        reducedTexel(format, texels, levelsDropped, index, result);
+        return result;
+    }
+    if (!m_reduced || m_reduced->face != face || m_reduced->levelsDropped != levelsDropped) {
+        m_reduced = {face, levelsDropped, reduced(format, texels, levelsDropped)};
+    }
+    std::ranges::copy(m_reduced->texels.texel(indexOf(index)), result.begin());
+    return result;
+}
+
+HoveredTexel describeTexel(const Surface& surface,
                            const TexelStore& store,
                            ShownTexels& shown,
                            const SurfacePoint& point,
-                           const PixelRay& ray,
                            int levelsDropped)
 {
+    const WalkedSurface walked{surface.adjacency(), store, levelsDropped};
+    const Level level = walked.level(point.face);
+    const glm::dvec2 uv(point.uv);
+    const TexelPlace place{point.face, texelAt(level, uv)};
     HoveredTexel hovered;
     hovered.point = point;
-    hovered.level = store.face(point.face).level().coarser(levelsDropped);
-    hovered.texel = texelAt(hovered.level, glm::dvec2(point.uv));
-    hovered.index = texelIndex(hovered.level, hovered.texel);
-    hovered.pixel = packedPixel(hovered.level, hovered.texel);
-    hovered.values = shown.values(store, point.face, levelsDropped, hovered.index);
-    const auto faceCorners = mesh.corners(point.face);
-    hovered.footprint = screenFootprint(ray, faceCorners);
-    hovered.ellipse = ellipseOf(hovered.footprint, faceCorners);
+    hovered.report =
+        describe(walked,
+                 place,
+                 uv,
+                 shown.stored(store, point.face, levelsDropped, texelIndex(level, place.texel)));
+    hovered.report.position = point.position;
+    if (const std::uint32_t source = surface.mesh().sourceFace(point.face);
+        source != indexOf(point.face)) {
+        hovered.report.polygon = source;
+    }
+    hovered.level = level;
+    hovered.texel = place.texel;
+    hovered.index = hovered.report.index;
+    hovered.pixel = hovered.report.pixel;
+    hovered.values = hovered.report.values;
     return hovered;
+}
+
+TexelDisplay
+displayOf(const TexelFormat& format, std::span<const float> values, const render::Look& look)
+{
+    const float gain = std::exp2(look.exposure);
+    TexelDisplay display;
+    display.values.reserve(values.size());
+    for (const float value : values) {
+        display.values.push_back((value * gain - look.low) / (look.high - look.low));
+    }
+    display.color = render::shade(format, values, look);
+    return display;
+}
+
+void addFootprint(HoveredTexel& texel, const TriangleMesh& mesh, const PixelRay& ray)
+{
+    const auto corners = mesh.corners(texel.point.face);
+    texel.hasFootprint = true;
+    texel.footprint = screenFootprint(ray, corners);
+    texel.ellipse = ellipseOf(texel.footprint, corners);
 }
 
 } // namespace trixel::ui

@@ -3,10 +3,14 @@
 
 #include "core/footprint/footprint.h"
 #include "core/lattice/texel.h"
-#include "core/mesh/bvh.h"
+#include "core/mesh/surface.h"
+#include "core/texture/texel_report.h"
 #include "core/texture/texel_store.h"
+#include "render/look.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace trixel::ui {
@@ -19,29 +23,36 @@ struct PixelQuery
     Footprint footprint;
 };
 
-/// The texel under the pointer, for the readout.
+/// The texel looked at, as the view shows it, for the readout.
 struct HoveredTexel
 {
     SurfacePoint point;
-    Level level; ///< of the face as shown (after the mip drop)
+    TexelReport report; ///< with position, and polygon where that is another number
+    Level level;        ///< of the face as shown (after the mip drop)
     TexelCoord texel;
     TexelIndex index{};
     PackedPixel pixel;
     std::vector<float> values; ///< one a channel, as stored
+    bool isHeld = false;       ///< and stays when the pointer goes elsewhere
+    bool hasFootprint = false; ///< not for a point behind the camera: then the next two are empty
     Footprint footprint;
     FootprintEllipse ellipse;
-    /// The pixel under the pointer; nothing where its middle is off the surface.
+    /// The pixel under the pointer; nothing where its middle is off the surface. Of a point that is
+    /// held or that a panel points at: that point.
     std::optional<PixelQuery> pixelQuery;
 };
 
-/// Reads single texels of a store as shown, some levels coarser. Keeps the last face it reduced,
-/// so that moving about in one face costs nothing.
+/// Reads single texels of a store as shown, some levels coarser. Many levels coarser it keeps the
+/// last face it reduced, so that moving about in one face costs nothing.
 class ShownTexels
 {
 public:
     /// Values of a texel, one a channel. \param level  the face's own, less the levels dropped
     std::vector<float>
     values(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index);
+    /// The same as bytes in the store's format.
+    std::vector<std::byte>
+    stored(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index);
 
     /// To be called when texels changed.
     void forget() { m_reduced.reset(); }
@@ -56,13 +67,18 @@ private:
     std::optional<Reduced> m_reduced;
 };
 
-/// All that the readout says about the texel at a point.
-/// \param ray  through the pixel that shows it
-HoveredTexel describeTexel(const TriangleMesh& mesh,
+/// What can be said of the texel at a point of a surface, whoever looks at it from where.
+HoveredTexel describeTexel(const Surface& surface,
                            const TexelStore& store,
                            ShownTexels& shown,
                            const SurfacePoint& point,
-                           const PixelRay& ray,
                            int levelsDropped);
+
+/// What a look makes of a texel's values: each channel between black and white, and the colour.
+TexelDisplay
+displayOf(const TexelFormat& format, std::span<const float> values, const render::Look& look);
+
+/// Adds the footprint of the pixel that a ray goes through.
+void addFootprint(HoveredTexel& texel, const TriangleMesh& mesh, const PixelRay& ray);
 
 } // namespace trixel::ui

@@ -23,6 +23,11 @@ constexpr float kHard = 0.95F;
 constexpr glm::vec4 kRingColor{1, 1, 1, 0.95F};
 constexpr glm::vec4 kInnerColor{1, 1, 1, 0.5F};
 constexpr glm::vec4 kTexelColor{1, 1, 1, 0.85F};
+constexpr glm::vec4 kHeldColor{1, 1, 1, 1};
+constexpr float kHeldWidth = 2.6F;
+/// Ticks of a held texel: pixels from its corners to where they begin and end.
+constexpr float kTickStart = 5;
+constexpr float kTickEnd = 15;
 
 /// Unit normal of a face; zero when it has no area.
 glm::vec3 normalOf(const TriangleMesh& mesh, FaceId face)
@@ -160,6 +165,33 @@ render::Polyline texelOutline(const TriangleMesh& mesh, const HoveredTexel& texe
     line.color = kTexelColor;
     line.width = 1.2F;
     return line;
+}
+
+std::vector<render::Polyline>
+heldTexelLines(const TriangleMesh& mesh, const HoveredTexel& texel, float perPixel)
+{
+    render::Polyline outline = texelOutline(mesh, texel);
+    outline.color = kHeldColor;
+    outline.width = kHeldWidth;
+    outline.hiddenOpacity = 0.4F;
+    const glm::vec3 middle = (outline.points[0] + outline.points[1] + outline.points[2]) / 3.0F;
+    std::vector<render::Polyline> lines;
+    for (const glm::vec3& corner : outline.points) {
+        const glm::vec3 way = corner - middle;
+        const float length = glm::length(way);
+        if (!(length > 0)) {
+            continue; // a face without area has corners in one place
+        }
+        const glm::vec3 pixel = way * (perPixel / length);
+        render::Polyline tick;
+        tick.points = {corner + kTickStart * pixel, corner + kTickEnd * pixel};
+        tick.color = kHeldColor;
+        tick.width = kHeldWidth;
+        tick.hiddenOpacity = outline.hiddenOpacity;
+        lines.push_back(std::move(tick));
+    }
+    lines.push_back(std::move(outline));
+    return lines;
 }
 
 } // namespace trixel::ui

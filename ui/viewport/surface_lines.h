@@ -28,4 +28,9 @@ std::vector<render::Polyline> footprintLines(const TriangleMesh& mesh, const Hov
 /// The edges of the hovered texel.
 render::Polyline texelOutline(const TriangleMesh& mesh, const HoveredTexel& texel);
 
+/// The edges of a held texel, thick, and three ticks that point at its corners from outside.
+/// \param perPixel  world length of a logical pixel there
+std::vector<render::Polyline>
+heldTexelLines(const TriangleMesh& mesh, const HoveredTexel& texel, float perPixel);
+
 } // namespace trixel::ui

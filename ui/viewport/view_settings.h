@@ -10,7 +10,7 @@
 namespace trixel::ui {
 
 /// What the pointer does on the surface.
-enum class Tool { Brush, Eraser, Fill, Pick, Select };
+enum class Tool { Brush, Eraser, Fill, Pick, Select, Inspect };
 
 /// A picture of numbers over the view: for each pixel, or for each face.
 enum class ViewMapKind {

@@ -72,6 +72,8 @@ Viewport::Private::Private(Viewport& viewport, Document& theDocument, ViewSettin
     , document(theDocument)
     , settings(theSettings)
     , shownView(theSettings.view())
+    , ownInspection(std::make_unique<Inspection>(theDocument))
+    , inspection(ownInspection.get())
     , stroke(theDocument)
 {
 }
@@ -92,7 +94,9 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&settings, &ViewSettings::viewChanged, this, [this] { d->takeView(); });
     connect(&settings, &ViewSettings::brushChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
+    connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
+    d->watchInspection();
     d->makeCanvas();
     if (document.isOpen()) {
         d->takeSurface();
@@ -116,11 +120,12 @@ void Viewport::frameAll()
 
 void Viewport::frameHovered()
 {
-    if (!d->hoveredTexel) {
+    if (!d->pointed && !d->hoveredTexel) {
         frameAll();
         return;
     }
-    const auto [low, high] = boxAround(*d->shownSurface, d->hoveredTexel->point.face);
+    const FaceId face = d->pointed ? d->pointed->face : d->hoveredTexel->point.face;
+    const auto [low, high] = boxAround(*d->shownSurface, face);
     d->camera.frame(low, high);
     d->cameraMoved();
 }
@@ -240,6 +245,9 @@ void Viewport::resizeEvent(QResizeEvent* event)
     if (d->legend) {
         d->legend->place();
     }
+    if (d->goTo) {
+        d->goTo->place();
+    }
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)
@@ -301,7 +309,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && d->cancel()) {
+    if ((event->key() == Qt::Key_Escape && d->cancel()) || d->inspectKey(*event)) {
         event->accept();
         return;
     }

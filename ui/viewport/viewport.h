@@ -26,6 +26,7 @@ namespace trixel::ui {
 
 class Document;
 class FaceSelection;
+class Inspection;
 class ViewSettings;
 
 /// An edge of a face.
@@ -43,6 +44,8 @@ struct SurfaceEdge
 /// |---|---|
 /// | paint, erase, fill, pick | left button, by the tool; a pen's eraser end erases |
 /// | select faces, with that tool | left button; Shift adds, Ctrl removes |
+/// | hold a texel, with the tool Inspect | left button; on the held one it lets go |
+/// | go on to the next texel, with that tool or while one is held | arrow keys |
 /// | straight line from the last stroke | Shift + left |
 /// | pick whatever the tool but Select | Ctrl + left |
 /// | orbit | Alt + left, or middle |
@@ -50,6 +53,7 @@ struct SurfaceEdge
 /// | zoom | Alt + right, or wheel towards the pointer |
 /// | brush size, hardness | Ctrl + right, sideways, up and down |
 /// | take the stroke back | Esc while painting |
+/// | let the held texel go | Esc |
 class Viewport : public QWidget
 {
     Q_OBJECT
@@ -60,7 +64,8 @@ public:
 
     /// Frames the whole surface.
     void frameAll();
-    /// Frames the faces around the hovered point, or all when nothing is hovered.
+    /// Frames the faces around the point under the pointer or, when it is off the surface, around
+    /// the texel looked at, or all.
     void frameHovered();
     /// Frames a face and its neighbours, looked at from its front. A face that does not exist is
     /// ignored.
@@ -73,6 +78,14 @@ public:
 
     /// Shows the selection and lets the Select tool change it. It must outlive the view.
     void useSelection(FaceSelection& selection);
+    /// Looks at texels together with others: says what the pointer meets and shows what is looked
+    /// at, wherever that was pointed at. Before, the view looks on its own. It must outlive the
+    /// view.
+    void useInspection(Inspection& inspection);
+    /// The texel looked at as it is shown here, also after the pointer has left.
+    std::optional<HoveredTexel> inspectedTexel() const;
+    /// Asks in a line over the view which texel to go to.
+    void askForTexel();
 
     const render::Camera& camera() const;
     void setCamera(const render::CameraPose& pose);
@@ -117,7 +130,8 @@ public:
     QImage grabFramebuffer();
 
 signals:
-    /// Nothing when the pointer is off the surface.
+    /// The texel looked at: held, or under a pointer here or in a panel; nothing when there is
+    /// none.
     void hovered(const std::optional<trixel::ui::HoveredTexel>& texel);
     /// Where the pointer is over the view, also when the view moves under it; nothing when it left.
     void pointerMoved(const std::optional<QPointF>& position);

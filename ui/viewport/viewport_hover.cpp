@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QScopedValueRollback>
+
 #include "ui/viewport/viewport_private.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace trixel::ui {
 
@@ -8,12 +13,6 @@ namespace {
 bool isInside(glm::dvec2 position, glm::ivec2 size)
 {
     return position.x >= 0 && position.y >= 0 && position.x < size.x && position.y < size.y;
-}
-
-/// The ray through the middle of the device pixel at a position.
-PixelRay rayAt(const render::Camera& camera, glm::dvec2 position)
-{
-    return camera.pixelRay(glm::floor(position) + 0.5);
 }
 
 } // namespace
@@ -41,34 +40,20 @@ void Viewport::Private::hoverAt(glm::dvec2 position)
 
 void Viewport::Private::refreshHover()
 {
-    const bool hadTexel = hoveredTexel.has_value();
-    hoveredTexel.reset();
     const double ratio = q.devicePixelRatioF();
     emit q.pointerMoved(pointer ? std::optional(QPointF(pointer->x / ratio, pointer->y / ratio))
                                 : std::nullopt);
-    const auto point =
-        pointer && isInside(*pointer, camera.viewport()) ? hit(*pointer) : std::nullopt;
-    if (point) {
-        hoveredTexel = describeTexel(shownSurface->mesh(),
-                                     texels(),
-                                     shownTexels,
-                                     *point,
-                                     rayAt(camera, *pointer),
-                                     shownView.mipDrop);
-    }
-    if (hoveredTexel) {
-        const PixelRay ray = rayAt(camera, *pointer);
-        if (const auto middle = hit(glm::floor(*pointer) + 0.5)) {
-            hoveredTexel->pixelQuery = {
-                middle->face,
-                middle->uv,
-                screenFootprint(ray, shownSurface->mesh().corners(middle->face))};
+    const bool wasOnSurface = pointed.has_value();
+    pointed = pointer && isInside(*pointer, camera.viewport()) ? hit(*pointer) : std::nullopt;
+    {
+        const QScopedValueRollback itself(pointsItself, true);
+        if (pointed) {
+            inspection->pointAt(pointed->face, pointed->uv);
+        } else if (wasOnSurface) {
+            inspection->pointAway();
         }
     }
-    if (hoveredTexel || hadTexel) {
-        emit q.hovered(hoveredTexel);
-        redraw();
-    }
+    showInspected(); // the same texel may be seen from elsewhere now
 }
 
 void Viewport::Private::leave()
@@ -91,27 +76,29 @@ std::vector<render::Polyline> Viewport::Private::overlays() const
         lines.push_back(*mark);
     }
     lines.insert(lines.end(), selectionLines.begin(), selectionLines.end());
-    if (!shownSurface || interaction == Interaction::Camera) {
+    if (!shownSurface) {
         return lines;
     }
     const TriangleMesh& mesh = shownSurface->mesh();
-    const bool idle = interaction == Interaction::None;
-    if (hoveredTexel && shownView.footprint && idle) {
-        for (render::Polyline& line : footprintLines(mesh, *hoveredTexel)) {
-            lines.push_back(std::move(line));
-        }
-    }
+    const bool idle = interaction == Interaction::None || interaction == Interaction::Inspect;
     const bool paints = settings.tool() == Tool::Brush || settings.tool() == Tool::Eraser;
-    if (hoveredTexel && (!paints || shownView.texelGrid) && idle) {
+    const auto draw = [&lines](std::vector<render::Polyline>&& more) {
+        std::ranges::move(more, std::back_inserter(lines));
+    };
+    if (hoveredTexel && shownView.footprint && hoveredTexel->hasFootprint && idle) {
+        draw(footprintLines(mesh, *hoveredTexel));
+    }
+    if (hoveredTexel && hoveredTexel->isHeld) {
+        draw(heldMark());
+    } else if (hoveredTexel && idle && (!paints || shownView.texelGrid || !pointed)) {
         lines.push_back(texelOutline(mesh, *hoveredTexel));
     }
-    const auto ringPoint = brushDragPoint ? brushDragPoint
-                           : hoveredTexel ? std::optional(hoveredTexel->point)
-                                          : std::nullopt;
+    if (interaction == Interaction::Camera) {
+        return lines;
+    }
+    const auto ringPoint = brushDragPoint ? brushDragPoint : pointed;
     if (ringPoint && paints) {
-        for (render::Polyline& line : brushRing(*shownSurface, *ringPoint, settings.brush())) {
-            lines.push_back(std::move(line));
-        }
+        draw(brushRing(*shownSurface, *ringPoint, settings.brush()));
     }
     return lines;
 }

@@ -7,8 +7,10 @@
 #include "render/renderer.h"
 #include "ui/document/document.h"
 #include "ui/document/face_selection.h"
+#include "ui/document/inspection.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/footprint_legend.h"
+#include "ui/viewport/go_to_bar.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/selection_lines.h"
 #include "ui/viewport/stroke_input.h"
@@ -24,7 +26,7 @@
 namespace trixel::ui {
 
 /// What the pointer holds down.
-enum class Interaction { None, Stroke, Pick, Select, Camera, BrushDrag };
+enum class Interaction { None, Stroke, Pick, Select, Inspect, Camera, BrushDrag };
 
 /// A press, move or release of mouse or pen.
 struct PointerEvent
@@ -77,7 +79,7 @@ public:
     void sendFaceColors();
     std::optional<render::Polyline> edgeMark() const;
 
-    // viewport_hover.cpp: what is under the pointer
+    // viewport_hover.cpp: what is under the pointer, and what is drawn of it
     glm::dvec2 devicePosition(QPointF position) const;
     std::optional<SurfacePoint> hit(glm::dvec2 position) const;
     void hoverAt(glm::dvec2 position);
@@ -85,6 +87,16 @@ public:
     void leave();
     std::vector<render::Polyline> overlays() const;
     void cameraMoved();
+
+    // viewport_inspect.cpp: the texel looked at
+    void watchInspection();
+    std::optional<HoveredTexel> describedTexel();
+    void showInspected();
+    void bringIntoSight();
+    void beginInspecting(const PointerEvent& event);
+    void holdAt(glm::dvec2 position);
+    bool inspectKey(const QKeyEvent& event);
+    std::vector<render::Polyline> heldMark() const;
 
     // viewport_selection.cpp: the chosen faces
     void takeSelection();
@@ -113,6 +125,7 @@ public:
     std::vector<std::uint32_t> normals; ///< empty until they are made
     QLabel* message = nullptr;          ///< in the view's place when it cannot draw
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
+    GoToBar* goTo = nullptr;            ///< none before it was asked for
 
     PictureOver picture;
     std::vector<std::uint32_t> faceColors; ///< shown in place of texels; empty when they are not
@@ -126,10 +139,14 @@ public:
     bool outlineIsStale = false; ///< the selection changed while an outline was being made
     bool selectRemoves = false;
     std::shared_ptr<const std::vector<FaceId>> selectionBefore; ///< when the drag began
-    glm::dvec2 selectedTo{0};            ///< device pixels
+    glm::dvec2 selectedTo{0};                                   ///< device pixels
 
-    std::optional<glm::dvec2> pointer; ///< last position over the view
-    std::optional<HoveredTexel> hoveredTexel;
+    std::optional<glm::dvec2> pointer;         ///< last position over the view
+    std::optional<SurfacePoint> pointed;       ///< what is there
+    std::unique_ptr<Inspection> ownInspection; ///< until another is used
+    Inspection* inspection = nullptr;
+    bool pointsItself = false;                ///< what changes is described once, at the end
+    std::optional<HoveredTexel> hoveredTexel; ///< the texel looked at
     ShownTexels shownTexels;
 
     Interaction interaction = Interaction::None;

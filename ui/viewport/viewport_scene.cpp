@@ -2,6 +2,7 @@
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QtConcurrent>
 
 #include "render/corner_normals.h"
@@ -36,6 +37,7 @@ void Viewport::Private::takeSurface()
     setOtherTexels(std::nullopt);
     faceColors.clear();
     markedEdge.reset();
+    pointed.reset(); // of another surface
     hoveredTexel.reset();
     emit q.hovered(std::nullopt);
     if (shownSurface) {
@@ -86,6 +88,10 @@ void Viewport::Private::takeView()
         shownTexels.forget();
     }
     shownView = settings.view();
+    {
+        const QScopedValueRollback itself(pointsItself, true);
+        inspection->setLevelsDropped(shownView.mipDrop);
+    }
     showLegend();
     refreshHover();
     redraw();

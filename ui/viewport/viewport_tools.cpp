@@ -58,6 +58,8 @@ void Viewport::Private::press(const PointerEvent& event)
         } else if (control || settings.tool() == Tool::Pick) {
             interaction = Interaction::Pick;
             pickAt(event.sample.position);
+        } else if (settings.tool() == Tool::Inspect) {
+            beginInspecting(event);
         } else if (settings.tool() == Tool::Fill && !event.eraserEnd) {
             fillAt(event.sample.position);
         } else if (event.modifiers.testFlag(Qt::ShiftModifier) && stroke.lastPoint()) {
@@ -92,6 +94,9 @@ void Viewport::Private::move(const PointerEvent& event)
         break;
     case Interaction::Select:
         selectTo(position);
+        break;
+    case Interaction::Inspect:
+        holdAt(position);
         break;
     case Interaction::None:
         break;

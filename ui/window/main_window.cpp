@@ -23,6 +23,7 @@
 #include "ui/window/command_palette.h"
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
+#include "ui/window/inspect_actions.h"
 #include "ui/window/inspector_panels.h"
 #include "ui/window/job_bar.h"
 #include "ui/window/level_actions.h"
@@ -115,6 +116,7 @@ void MainWindow::makeCenter()
     m_viewport->setAccessibleName(tr("3D view"));
     m_viewport->setObjectName("viewport");
     m_viewport->useSelection(m_selection);
+    m_viewport->useInspection(m_inspection);
     m_viewMap = new ViewMap(m_document, m_settings, m_filterScene, *m_viewport, m_viewport);
     m_fileActions = new FileActions(m_document, m_files, *m_messages, *this);
     m_center = new QStackedWidget;
@@ -159,6 +161,8 @@ void MainWindow::makeMenus()
     m_brushActions = new BrushActions(m_settings, m_colors, m_panels->brush(), *this);
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
     m_mapActions = new MapActions(m_settings, *this);
+    m_inspectActions =
+        new InspectActions(m_document, m_inspection, *m_viewport, m_panels->readout(), *this);
 
     m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -172,10 +176,14 @@ void MainWindow::makeMenus()
                                       QKeySequence(Qt::CTRL | Qt::Key_L));
     connect(fit, &QAction::triggered, m_panels, &WorkPanels::showFit);
     edit->addAction(fit);
+    edit->addSeparator();
+    m_inspectActions->fillEditMenu(*edit);
     m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
+    view->addSeparator();
+    m_inspectActions->fillViewMenu(*view);
     view->addSeparator();
     m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
@@ -239,10 +247,14 @@ void MainWindow::makeStatusBar()
     const auto showHint = [this] { m_hint->setText(ToolActions::hintFor(m_settings.tool())); };
     connect(&m_settings, &ViewSettings::toolChanged, this, showHint);
     showHint();
-    connect(&m_files, &ProjectFiles::saved, this, [this](const QString& path) {
+    const auto tell = [this](const QString& sentence) {
         constexpr int kShownMs = 4000;
-        statusBar()->showMessage(tr("Saved %1").arg(path), kShownMs);
+        statusBar()->showMessage(sentence, kShownMs);
+    };
+    connect(&m_files, &ProjectFiles::saved, this, [tell](const QString& path) {
+        tell(tr("Saved %1").arg(path));
     });
+    connect(m_inspectActions, &InspectActions::copied, this, tell);
 }
 
 void MainWindow::connectView()

@@ -20,6 +20,7 @@ namespace trixel::ui {
 class BrushActions;
 class EditActions;
 class FileActions;
+class InspectActions;
 class LevelActions;
 class MapActions;
 class MessageBar;
@@ -98,6 +99,7 @@ private:
     BrushActions* m_brushActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     MapActions* m_mapActions = nullptr;
+    InspectActions* m_inspectActions = nullptr;
     PanelActions* m_panelActions = nullptr;
     std::uint64_t m_texelsSeen = 0; ///< the document's texels when its history last moved
     bool m_mayClose = false;

@@ -34,6 +34,11 @@ ToolActions::ToolActions(ViewSettings& settings, QWidget& window)
         Qt::Key_unknown,
         "pick");
     add(Tool::Select, tr("&Select Faces"), tr("Choose faces"), Qt::Key_Q, "select");
+    add(Tool::Inspect,
+        tr("&Inspect Texels"),
+        tr("Hold a texel to look at, step to its neighbours"),
+        Qt::Key_I,
+        "inspect");
     connect(&settings, &ViewSettings::toolChanged, this, &ToolActions::follow);
     qApp->installEventFilter(this);
     follow();
@@ -83,6 +88,10 @@ QString ToolActions::hintFor(Tool tool)
         return tr("Click a face to fill it · %1").arg(navigate);
     case Tool::Select:
         return tr("Click or drag over faces to select · Shift adds · Ctrl removes · %1")
+            .arg(navigate);
+    case Tool::Inspect:
+        return tr("Click a texel to hold it, again to let it go · arrow keys: next texel · "
+                  "Ctrl+G: go to · %1")
             .arg(navigate);
     case Tool::Pick:
         break;

@@ -2,7 +2,6 @@
 #include "ui/window/view_actions.h"
 
 #include <QComboBox>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -24,15 +23,11 @@ ViewActions::ViewActions(const Document& document,
     : QObject(&window)
     , m_document(document)
     , m_settings(settings)
-    , m_viewport(viewport)
     , m_window(window)
 {
     ActionMaker make(window);
     m_frame = make(tr("&Frame"), tr("Look at the faces under the pointer"), {Qt::Key_F}, "frame");
     m_frameAll = make(tr("Frame &All"), tr("Look at the whole surface"), {Qt::Key_A}, "frame-all");
-    m_goTo = make(
-        tr("&Go to Face…"), tr("Look at the face of a number"), QKeySequence(Qt::CTRL | Qt::Key_G));
-    connect(m_goTo, &QAction::triggered, this, &ViewActions::askForFace);
     connect(m_frame, &QAction::triggered, &viewport, &Viewport::frameHovered);
     connect(m_frameAll, &QAction::triggered, &viewport, &Viewport::frameAll);
 
@@ -101,21 +96,6 @@ void ViewActions::makeMips()
     connect(m_mips, &QComboBox::activated, this, &ViewActions::setMipDrop);
 }
 
-void ViewActions::askForFace()
-{
-    auto* dialog = new QInputDialog(&m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Go to Face"));
-    const int last = static_cast<int>(m_document.texels().faceCount()) - 1;
-    dialog->setLabelText(tr("&Face number, 0 to %1:").arg(last));
-    dialog->setInputMode(QInputDialog::IntInput);
-    dialog->setIntRange(0, std::max(last, 0));
-    connect(dialog, &QInputDialog::intValueSelected, this, [this](int face) {
-        m_viewport.frameFace(faceId(static_cast<std::size_t>(face)));
-    });
-    dialog->open();
-}
-
 void ViewActions::listMips(int drop)
 {
     // The finest level decides how many steps change anything.
@@ -151,14 +131,12 @@ void ViewActions::follow()
     m_finer->setEnabled(drop > 0);
     m_frame->setEnabled(m_document.isOpen());
     m_frameAll->setEnabled(m_document.isOpen());
-    m_goTo->setEnabled(m_document.isOpen());
 }
 
 void ViewActions::fillMenu(QMenu& menu)
 {
     menu.addAction(m_frame);
     menu.addAction(m_frameAll);
-    menu.addAction(m_goTo);
     menu.addSeparator();
     for (const auto& [action, option] : m_switches) {
         menu.addAction(action);

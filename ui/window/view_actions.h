@@ -37,7 +37,6 @@ private:
                        const QString& iconName,
                        bool ViewOptions::*option);
     void makeMips();
-    void askForFace();
     void setMipDrop(int drop);
     /// \param drop  shown then, if there are as many mips
     void listMips(int drop);
@@ -45,12 +44,10 @@ private:
 
     const Document& m_document;
     ViewSettings& m_settings;
-    Viewport& m_viewport;
     QWidget& m_window;
     std::vector<std::pair<QAction*, bool ViewOptions::*>> m_switches;
     QAction* m_frame = nullptr;
     QAction* m_frameAll = nullptr;
-    QAction* m_goTo = nullptr;
     QAction* m_coarser = nullptr;
     QAction* m_finer = nullptr;
     QComboBox* m_mips = nullptr;

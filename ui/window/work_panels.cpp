@@ -14,6 +14,7 @@
 #include "ui/docks/seam_panel.h"
 #include "ui/docks/views_panel.h"
 #include "ui/document/document.h"
+#include "ui/document/inspection.h"
 #include "ui/viewport/hover_filter.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/bookmark_actions.h"
@@ -67,7 +68,7 @@ void WorkPanels::share(QDockWidget& dock)
 
 void WorkPanels::makeReadout()
 {
-    m_readout = new ReadoutPanel(m_work.document);
+    m_readout = new ReadoutPanel(m_work.document, m_work.inspection);
     m_hoverFilter =
         new HoverFilter(m_work.document, m_work.settings, m_work.filterScene, m_readout);
     share(*m_frames.beside("readoutPanel", tr("Texel"), m_readout, {Qt::Key_F3}));
@@ -80,6 +81,12 @@ void WorkPanels::makeReadout()
                     m_hoverFilter->ask(texel);
                 }
             });
+    // The texel that stays when the pointer has left may be painted over, or shown otherwise.
+    connect(&m_work.inspection, &Inspection::changed, m_readout, [this] {
+        if (!m_work.inspection.isPointedAt()) {
+            m_readout->show(m_work.viewport.inspectedTexel());
+        }
+    });
     connect(m_hoverFilter, &HoverFilter::answered, m_readout, &ReadoutPanel::showFiltered);
     connect(m_hoverFilter, &HoverFilter::unanswered, m_readout, &ReadoutPanel::showUnfiltered);
 }

@@ -28,6 +28,7 @@ public:
     WorkPanels(const Workspace& work, const PanelFrames& frames, QObject* parent);
 
     BrushPanel& brush() { return *m_brush; }
+    ReadoutPanel& readout() { return *m_readout; }
     SeamPanel& seams() { return *m_seams; }
     BookmarkActions& bookmarkActions() { return *m_bookmarkActions; }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QApplication>
-#include <QClipboard>
+#include <QCoreApplication>
 #include <QLabel>
-#include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "tests/ui/fixtures.h"
@@ -12,26 +12,43 @@
 #include "ui/docks/readout_text.h"
 #include "ui/docks/report_panel.h"
 #include "ui/document/document.h"
+#include "ui/document/inspection.h"
 
-#include <limits>
+#include <array>
+#include <memory>
 
 namespace trixel::ui {
 
 namespace {
 
-HoveredTexel upperTexel()
+/// The texel (3, 1) upper of face 7 of the grid, held or not.
+HoveredTexel upperTexel(Document& document)
 {
-    HoveredTexel texel;
-    texel.point = {FaceId{7}, {0.25F, 0.5F}, {0.1F, 0.2F, 0.3F}};
-    texel.level = Level(3);
-    texel.texel = {3, 1, TexelHalf::Upper};
-    texel.pixel = packedPixel(texel.level, texel.texel);
-    texel.index = texelIndex(texel.level, texel.texel);
-    texel.values = {200.0F / 255.0F, 0.0F, 1.0F};
+    document.fillFaces(std::array{faceId(7)}, {200.0F / 255, 0, 1, 1});
+    ShownTexels shown;
+    const Surface& surface = *document.surface();
+    const auto corners = surface.mesh().corners(faceId(7));
+    HoveredTexel texel = describeTexel(surface,
+                                       document.texels(),
+                                       shown,
+                                       {faceId(7), {0.48F, 0.21F}, pointAt(corners, 0.48F, 0.21F)},
+                                       0);
+    texel.report.display = displayOf(document.texels().format(), texel.values, {});
+    texel.hasFootprint = true;
     texel.footprint = {{0.01, 0.002}, {-0.003, 0.02}};
     texel.ellipse.majorLength = 0.02;
     texel.ellipse.minorLength = 0.01;
     return texel;
+}
+
+QLabel* valueNamed(const QWidget& panel, const QString& name)
+{
+    for (QLabel* label : panel.findChildren<QLabel*>()) {
+        if (label->accessibleName() == name) {
+            return label;
+        }
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -41,80 +58,170 @@ class ReadoutTest : public QObject
     Q_OBJECT
 
 private slots:
+    void init()
+    {
+        QSettings().clear();
+        m_document = std::make_unique<Document>();
+        m_inspection = std::make_unique<Inspection>(*m_document);
+        m_document->open(gridProject(), {}, "grid");
+        m_panel = std::make_unique<ReadoutPanel>(*m_document, *m_inspection);
+        m_panel->resize(310, 520);
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_inspection.reset();
+        m_document.reset();
+    }
+
     void everyNumberOfTheTexelIsShown()
     {
-        Document document;
-        document.open(gridProject(), {}, "grid");
-        ReadoutPanel panel(document);
-        panel.show(upperTexel());
-        const QString text = panel.text();
-        for (const char* expected : {"Face: 7\n",
-                                     "Level: 3 · 8 × 8",
-                                     "(3, 1) upper",
-                                     "pixel 6, 4 · index 38",
-                                     "0.25000  0.50000  0.25000",
-                                     "Values: 200  0  255",
-                                     "#c800ff · 200 0 255",
-                                     "W1: 0.01, 0.002",
-                                     "W2: -0.003, 0.02",
-                                     "0.02 × 0.01  (2 : 1)"}) {
+        m_panel->show(upperTexel(*m_document));
+        const QString text = m_panel->text();
+        for (const char* expected : {"Address: 7:3,1,upper\n",
+                                     "Face: 7\n",
+                                     "Level: 3 · 8 × 8\n",
+                                     "(3, 1) upper\n",
+                                     "pixel 6, 4 · index 38\n",
+                                     "u v w: 0.48000  0.21000  0.31000\n",
+                                     "Stored: 200  0  255\n",
+                                     "Bytes: c8 00 ff\n",
+                                     "Shown: 0.7843  0  1\n",
+                                     "Colour: #c800ff\n",
+                                     "Edge 0: 7:3,2,lower\n",
+                                     "Edge 1: 7:3,1,lower\n",
+                                     "Edge 2: 7:4,1,lower\n",
+                                     "W1: 0.01, 0.002\n",
+                                     "W2: -0.003, 0.02\n",
+                                     "0.02 × 0.01  (2 : 1)\n"}) {
             QVERIFY2(text.contains(expected), qPrintable(QString(expected) + " in\n" + text));
         }
     }
 
+    void everyLineOfATexelHasARow()
+    {
+        showPanel();
+        m_panel->show(upperTexel(*m_document));
+        QTRY_COMPARE(valueNamed(*m_panel, "Address")->text(), QString("7:3,1,upper"));
+        for (const ReportLine& line : linesOf(m_panel->texel()->report)) {
+            if (line.name == "Address" || line.name == "Bytes") {
+                continue; // the head of the panel, and on demand
+            }
+            const QLabel* value = valueNamed(*m_panel, QString::fromStdString(line.name));
+            QVERIFY2(value && value->text() != "–", line.name.c_str());
+            QVERIFY2(!value->toolTip().isEmpty(), line.name.c_str());
+        }
+        QCOMPARE(valueNamed(*m_panel, "Stored")->text(), QString("200  0  255"));
+    }
+
+    void bytesAreShownOnDemandAndAgainNextTime()
+    {
+        showPanel();
+        m_panel->show(upperTexel(*m_document));
+        QTest::mouseClick(buttonNamed("Show bytes"), Qt::LeftButton);
+        QCOMPARE(valueNamed(*m_panel, "Stored")->text(), QString("c8 00 ff"));
+        const ReadoutPanel another(*m_document, *m_inspection);
+        for (const QToolButton* button : another.findChildren<QToolButton*>()) {
+            QCOMPARE(button->isChecked(), button->accessibleName() == "Show bytes");
+        }
+    }
+
+    void aHiddenPanelWritesNothingAndStillKnowsTheTexel()
+    {
+        m_panel->show(upperTexel(*m_document));
+        QCoreApplication::processEvents();
+        QCOMPARE(valueNamed(*m_panel, "Face")->text(), QString("–"));
+        QVERIFY(m_panel->text().contains("Face: 7\n"));
+        showPanel();
+        QCOMPARE(valueNamed(*m_panel, "Face")->text(), QString("7"));
+    }
+
+    void theButtonHoldsTheTexelAndLetsItGo()
+    {
+        showPanel();
+        QVERIFY(!buttonNamed("Hold the texel")->isEnabled());
+        m_inspection->pointAt(faceId(7), {0.48F, 0.21F});
+        m_panel->show(upperTexel(*m_document));
+        QTRY_VERIFY(buttonNamed("Hold the texel")->isEnabled());
+        QTest::mouseClick(buttonNamed("Hold the texel"), Qt::LeftButton);
+        QVERIFY(m_inspection->isHeld());
+        QToolButton* letGo = buttonNamed("Let the texel go");
+        QVERIFY(letGo->isChecked());
+        QCOMPARE(letGo->text(), QString("Held"));
+        QTest::mouseClick(letGo, Qt::LeftButton);
+        QVERIFY(!m_inspection->isHeld());
+        m_inspection->hold();
+        QVERIFY(letGo->isChecked());
+    }
+
+    void neighboursAreGoneToByAClickAndByTheKeyboard()
+    {
+        showPanel();
+        m_inspection->pointAt(faceId(7), {0.48F, 0.21F});
+        m_panel->show(upperTexel(*m_document));
+        QLabel* edge = valueNamed(*m_panel, "Edge 0");
+        QTRY_VERIFY(edge->text().contains("7:3,2,lower"));
+        QTest::mouseClick(edge, Qt::LeftButton, {}, {12, edge->height() / 2});
+        QVERIFY(m_inspection->isHeld());
+        QVERIFY((m_inspection->texel()->place == TexelPlace{faceId(7), {3, 2, TexelHalf::Lower}}));
+        QLabel* other = valueNamed(*m_panel, "Edge 1");
+        other->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(other, Qt::Key_Tab); // to the first link
+        QTest::keyClick(other, Qt::Key_Return);
+        QVERIFY((m_inspection->texel()->place == TexelPlace{faceId(7), {3, 1, TexelHalf::Lower}}));
+    }
+
+    void severalNeighboursAcrossAnEdgeAreToldFromFirstToLast()
+    {
+        QCOMPARE(neighbourLinks({}), QString("border"));
+        const TexelsAcross four{faceId(12),
+                                Level(4),
+                                LocalEdge::E1,
+                                {3, 12, TexelHalf::Lower},
+                                {6, 9, TexelHalf::Lower},
+                                4};
+        QCOMPARE(neighbourLinks(four),
+                 QString("<a href='12:3,12,lower'>12:3,12,lower</a> … "
+                         "<a href='12:6,9,lower'>6,9</a> ×4"));
+    }
+
     void whatFiltersMakeOfThePixelIsShown()
     {
-        Document document;
-        document.open(gridProject(), {}, "grid");
-        ReadoutPanel panel(document);
-        panel.show(upperTexel());
+        m_panel->show(upperTexel(*m_document));
         FilteredTexel filtered;
         filtered.method = {"probes-2", std::nullopt};
         filtered.values = {0.5F, 0.0F, 1.0F};
         filtered.level = 2;
         filtered.taps = 24;
-        panel.showFiltered(filtered);
-        QVERIFY2(panel.text().contains("Filtered: 127.50  0.00  255.00"), qPrintable(panel.text()));
-        QVERIFY(panel.text().contains("Read at: level 2.00 · 24 taps"));
-        QVERIFY(panel.text().contains("Exact: …"));
+        m_panel->showFiltered(filtered);
+        QVERIFY2(m_panel->text().contains("Filtered: 127.50  0.00  255.00"),
+                 qPrintable(m_panel->text()));
+        QVERIFY(m_panel->text().contains("Read at: level 2.00 · 24 taps"));
+        QVERIFY(m_panel->text().contains("Exact: …"));
         filtered.exact = {0.5F, 0.02F, 1.0F};
         filtered.difference = 0.02;
-        panel.showFiltered(filtered);
-        QVERIFY(panel.text().contains("Exact: 127.50  5.10  255.00"));
-        QVERIFY(panel.text().contains("Error: 2 %"));
+        m_panel->showFiltered(filtered);
+        QVERIFY(m_panel->text().contains("Exact: 127.50  5.10  255.00"));
+        QVERIFY(m_panel->text().contains("Error: 2 %"));
         filtered.exactTaps = kRefusedTaps;
-        panel.showFiltered(filtered);
-        QVERIFY(panel.text().contains("Exact: refused"));
-        panel.showUnfiltered("Because.");
-        QVERIFY(panel.text().contains("Filtered: not prepared"));
+        m_panel->showFiltered(filtered);
+        QVERIFY(m_panel->text().contains("Exact: refused"));
+        m_panel->showUnfiltered("Because.");
+        QVERIFY(m_panel->text().contains("Filtered: not prepared"));
     }
 
     void lastTexelStaysWhenThePointerLeaves()
     {
-        Document document;
-        document.open(gridProject(), {}, "grid");
-        ReadoutPanel panel(document);
-        panel.show(upperTexel());
-        const QString text = panel.text();
-        panel.show(std::nullopt);
-        QCOMPARE(panel.text(), text);
-        panel.clear();
-        QVERIFY(panel.text() != text);
-    }
-
-    void copyPutsTheReadoutOnTheClipboard()
-    {
-        Document document;
-        document.open(gridProject(), {}, "grid");
-        ReadoutPanel panel(document);
-        panel.show(upperTexel());
-        QTest::mouseClick(panel.findChild<QPushButton*>(), Qt::LeftButton);
-        QCOMPARE(QApplication::clipboard()->text(), panel.text());
+        m_panel->show(upperTexel(*m_document));
+        const QString text = m_panel->text();
+        m_panel->show(std::nullopt);
+        QCOMPARE(m_panel->text(), text);
+        m_panel->clear();
+        QVERIFY(m_panel->text() != text);
     }
 
     void polygonIsNamedWhereItIsNotTheFace()
     {
-        Document document;
         TriangleMesh mesh = gridMesh(8);
         mesh.sourceFaces.resize(mesh.faceCount());
         for (std::size_t k = 0; k < mesh.faceCount(); ++k) {
@@ -123,10 +230,10 @@ private slots:
         NoProgress progress;
         const LevelPlan plan = planUniform(mesh.faceCount(), Level(3));
         const std::vector<float> fill(3, 1.0F);
-        document.open(newProject(std::move(mesh), plan, {}, fill, progress).value(), {}, "quads");
-        ReadoutPanel panel(document);
-        panel.show(upperTexel());
-        QVERIFY(panel.text().contains("Face: 7 · polygon 3"));
+        m_document->open(
+            newProject(std::move(mesh), plan, {}, fill, progress).value(), {}, "quads");
+        m_panel->show(upperTexel(*m_document));
+        QVERIFY(m_panel->text().contains("Face: 7 · polygon 3"));
     }
 
     void positionsKeepTheDigitsThatCountAndNoMore()
@@ -143,23 +250,17 @@ private slots:
         }
     }
 
-    void storedValuesAreWrittenAsTheirTypeStoresThem()
+    void whatIsShownOfValuesFollowsTheLook()
     {
-        const std::array values{1.0F, 0.5F, 0.1F};
-        QCOMPARE(storedText(TexelType::UInt8, values), QString("255  128  26"));
-        QCOMPARE(storedText(TexelType::UInt16, values), QString("65535  32768  6554"));
-        QCOMPARE(storedText(TexelType::Float, values), QString("1  0.5  0.1"));
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        const float inf = std::numeric_limits<float>::infinity();
-        QCOMPARE(storedText(TexelType::Float, std::array{nan, inf}), QString("nan  inf"));
-    }
-
-    void shownColorTakesAnyValue()
-    {
-        const float nan = std::numeric_limits<float>::quiet_NaN();
-        QCOMPARE(shownColor(std::array{nan, 7.0F, -1.0F}), QColor(0, 255, 0));
-        QCOMPARE(shownColor(std::array{0.2F}), QColor(51, 51, 51));
-        QVERIFY(!shownColor({}).isValid());
+        const TexelFormat format;
+        const std::array values{0.25F, 0.5F, 1.0F};
+        render::Look look;
+        look.exposure = 1;
+        look.high = 2;
+        const TexelDisplay shown = displayOf(format, values, look);
+        QCOMPARE(shown.values, std::vector<float>({0.25F, 0.5F, 1.0F}));
+        look.channel = 1;
+        QCOMPARE(displayOf(format, values, look).color, render::shade(format, values, look));
     }
 
     void reportListsFacesAndTellsWhichWasChosen()
@@ -202,6 +303,28 @@ private slots:
         QVERIFY(panel.findChild<QLabel*>()->text().contains("Nothing unusual"));
         QCOMPARE(panel.findChild<QTreeWidget*>()->topLevelItemCount(), 0);
     }
+
+private:
+    void showPanel()
+    {
+        static_cast<QWidget&>(*m_panel).show();
+        m_panel->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+    QToolButton* buttonNamed(const QString& name) const
+    {
+        for (QToolButton* button : m_panel->findChildren<QToolButton*>()) {
+            if (button->accessibleName() == name) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+
+    TemporarySettings m_settings;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Inspection> m_inspection;
+    std::unique_ptr<ReadoutPanel> m_panel;
 };
 
 } // namespace trixel::ui

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the pointer moving over a mesh to the panels having drawn what is under it, as the window's
+// thread does it. Needs no display: the view finds and describes the texel, but draws nothing.
+// A panel of its own: add its dock's name to kDocks.
+#include <QApplication>
+#include <QDockWidget>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "core/io/project.h"
+#include "core/study/processor_clock.h"
+#include "ui/document/inspection.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/application.h"
+#include "ui/window/main_window.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace trixel;
+using namespace trixel::ui;
+
+namespace {
+
+const std::vector<std::string> kDocks{"readoutPanel"};
+
+/// A wavy sheet of 2 n² faces, every texel of them noise.
+Project sheet(int n)
+{
+    TriangleMesh mesh;
+    const auto id = [n](int i, int j) { return static_cast<std::uint32_t>(i + j * (n + 1)); };
+    for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+            const float x = 2.0F * static_cast<float>(i) / static_cast<float>(n) - 1;
+            const float y = 2.0F * static_cast<float>(j) / static_cast<float>(n) - 1;
+            mesh.positions.push_back({x, y, 0.2F * std::sin(6 * x) * std::cos(5 * y)});
+        }
+    }
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i, j + 1)});
+            mesh.triangles.push_back({id(i + 1, j + 1), id(i, j + 1), id(i + 1, j)});
+        }
+    }
+    NoProgress progress;
+    Project project;
+    std::mt19937 random(1);
+    project.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
+                                TexelFormat{},
+                                Level(1),
+                                std::vector<std::byte>(3));
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        for (std::byte& b : project.texels.writable(faceId(f))) {
+            b = static_cast<std::byte>(random());
+        }
+    }
+    project.surface = Surface::build(std::move(mesh), progress).value();
+    return project;
+}
+
+using Windows = std::map<int, std::unique_ptr<MainWindow>>;
+
+MainWindow& windowOn(Windows& windows, int n)
+{
+    std::unique_ptr<MainWindow>& window = windows[n];
+    if (!window) {
+        window = std::make_unique<MainWindow>();
+        window->resize(1440, 900);
+        window->show();
+        window->document().open(sheet(n), {}, "sheet");
+        window->viewport().lookFrom(0, 0);
+    }
+    return *window;
+}
+
+void move(QWidget& widget, QPointF to)
+{
+    QMouseEvent event(
+        QEvent::MouseMove, to, widget.mapToGlobal(to), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+/// Until nothing is left to do that the move asked for: panels draw what they were told.
+void drawAll()
+{
+    for (int k = 0; k < 4; ++k) {
+        QCoreApplication::processEvents();
+    }
+}
+
+void hover(benchmark::State& state, Windows& windows, const std::string& dockName)
+{
+    MainWindow& window = windowOn(windows, static_cast<int>(state.range(0)));
+    Viewport& view = window.viewport();
+    auto* dock = window.findChild<QDockWidget*>(QString::fromStdString(dockName));
+    dock->show();
+    dock->raise();
+    drawAll();
+    std::mt19937 random(7);
+    std::vector<double> times;
+    for (auto _ : state) {
+        const auto part = [&random] {
+            return 0.3 + 0.4 * (static_cast<double>(random()) / 4294967296.0);
+        };
+        const QPointF to(part() * view.width(), part() * view.height());
+        const double began = processorSeconds(); // other programs do not count
+        move(view, to);
+        drawAll();
+        times.push_back(1e3 * (processorSeconds() - began));
+    }
+    if (!window.inspection().isPointedAt()) {
+        state.SkipWithError("the pointer is not on the surface");
+    }
+    std::ranges::sort(times);
+    state.counters["faces"] = static_cast<double>(window.document().texels().faceCount());
+    state.counters["p99_ms"] = times[times.size() * 99 / 100];
+    state.counters["most_ms"] = times.back();
+    dock->hide();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    prepareApplication();
+    QApplication application(argc, argv);
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    setUpApplication(application);
+    Windows windows; // closed before the application ends
+    benchmark::Initialize(&argc, argv);
+    for (const std::string& dock : kDocks) {
+        benchmark::RegisterBenchmark(
+            ("hover/" + dock).c_str(),
+            [&windows, dock](benchmark::State& state) { hover(state, windows, dock); })
+            ->Arg(71)
+            ->Arg(707)
+            ->Unit(benchmark::kMillisecond);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+}

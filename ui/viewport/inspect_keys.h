@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QKeyEvent;
+
+namespace trixel::ui {
+
+class Inspection;
+
+/// What the keyboard does to the texel looked at, in the view and in every panel that shows texels:
+/// right and left leave by the next edge on that side, up goes straight on, down goes back, Esc
+/// lets go. Keys with a modifier are not meant.
+/// \return  whether the key was used; arrows are, also where a border is in the way
+bool takeInspectKey(Inspection& inspection, const QKeyEvent& event);
+
+} // namespace trixel::ui
