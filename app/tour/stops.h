@@ -26,6 +26,7 @@ public:
     Status undoneAndRedone();
     Status texelsOfBothHalves();
     Status mipLevels();
+    Status laidOutFace();
     Status chosenLevels();
     Status fittedLevels();
     Status newProject();

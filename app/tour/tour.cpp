@@ -51,6 +51,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::undoneAndRedone,
                             &Stops::texelsOfBothHalves,
                             &Stops::mipLevels,
+                            &Stops::laidOutFace,
                             &Stops::chosenLevels,
                             &Stops::fittedLevels,
                             &Stops::bookmarkedViews,

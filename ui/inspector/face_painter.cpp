@@ -20,6 +20,11 @@ constexpr std::array<glm::dvec2, 4> kSamples{
 /// gap between them.
 constexpr double kSlack = 1e-6;
 
+/// Lines of the grid: a light one in the middle of a dark one, of such widths.
+constexpr double kDarkLine = 1.6;
+constexpr double kLightLine = 0.7;
+constexpr double kLineAlpha = 0.35;
+
 struct Sample
 {
     PackedPixel pixel;
@@ -105,6 +110,10 @@ public:
         m_reachAcross = (std::abs(m_toTexels.x.x + m_toTexels.x.y) +
                          std::abs(m_toTexels.y.x + m_toTexels.y.y)) *
                         0.5;
+        const glm::dvec2 perX = m_toTexels.x;
+        const glm::dvec2 perY = m_toTexels.y;
+        m_pixels = {1 / std::hypot(perX.x, perY.x), 1 / std::hypot(perX.y, perY.y)};
+        m_pixelsAcross = 1 / std::hypot(perX.x + perX.y, perY.x + perY.y);
     }
 
     void paint(QRgb* line, int y, int left, int right) const
@@ -113,7 +122,8 @@ public:
         narrowDown(start, left, right);
         for (int x = left; x <= right; ++x) {
             const glm::dvec2 p = start + static_cast<double>(x) * m_toTexels.x;
-            line[x] = over(colorOf(p), line[x]);
+            const QRgb color = over(colorOf(p), line[x]);
+            line[x] = m_paint.grid > 0 ? lined(color, p) : color;
         }
     }
 
@@ -186,13 +196,36 @@ private:
         return mean(colors);
     }
 
+    /// The pixel with what it has of a line between texels: light beside dark.
+    QRgb lined(QRgb color, glm::dvec2 p) const
+    {
+        const glm::dvec2 in = p - glm::floor(p);
+        double distance =
+            std::min(std::min(in.x, 1 - in.x) * m_pixels.x, std::min(in.y, 1 - in.y) * m_pixels.y);
+        if constexpr (kTriangles) {
+            distance = std::min(distance, std::abs(in.x + in.y - 1) * m_pixelsAcross);
+        }
+        const auto cover = [&](double width) {
+            const double part = 0.5 * width * m_paint.unit + 0.5 - distance;
+            return static_cast<int>(255 * kLineAlpha * m_paint.grid * std::clamp(part, 0.0, 1.0));
+        };
+        const int dark = cover(kDarkLine);
+        if (dark <= 0) {
+            return color;
+        }
+        const int light = cover(kLightLine);
+        return over(qRgba(light, light, light, light), over(qRgba(0, 0, 0, dark), color));
+    }
+
     const FaceTexels& m_texels;
     ShadedTexels& m_shades;
     const TexelPaint& m_paint;
     std::uint32_t m_resolution;
-    PlaneMap m_toTexels;      ///< from the picture's pixels
-    glm::dvec2 m_reach;       ///< of a pixel from its middle, in texels
-    double m_reachAcross = 0; ///< the same of x + y
+    PlaneMap m_toTexels;       ///< from the picture's pixels
+    glm::dvec2 m_reach;        ///< of a pixel from its middle, in texels
+    double m_reachAcross = 0;  ///< the same of x + y
+    glm::dvec2 m_pixels;       ///< between lines of the grid
+    double m_pixelsAcross = 0; ///< the same of those along x + y
 };
 
 template <bool kTriangles>
@@ -205,7 +238,7 @@ void paintRows(QImage& image,
     uchar* const bits = image.bits();
     const qsizetype bytesPerLine = image.bytesPerLine();
     constexpr std::size_t kGrain = 16;
-    constexpr int kWorthAThread = 20000;
+    constexpr int kWorthAThread = 40000;
     const Threads used = area.width() * area.height() < kWorthAThread ? Threads{1} : threads;
     parallelFor(static_cast<std::size_t>(area.height()),
                 kGrain,
@@ -270,7 +303,7 @@ Level levelToDraw(const FaceLayout& layout, Level finest)
     // A face has as many texels as its square has pixels, on the area of half the square.
     const bool triangles = layout.texels() == FaceLayout::Texels::Triangles;
     const double side = texelSide(layout, Level(0)) * (triangles ? std::sqrt(0.5) : 1.0);
-    const double fits = side > 1 ? std::floor(std::log2(side)) : 0;
+    const double fits = side > 1 ? std::round(std::log2(side)) : 0;
     return Level(static_cast<int>(std::min(fits, static_cast<double>(finest.log2()))));
 }
 

@@ -23,6 +23,9 @@ struct TexelPaint
     /// Pixels that several texels share show the mean of four samples. Off is quicker and has
     /// stairs.
     bool smooth = true;
+    /// Lines between texels that show on any colour, in [0, 1]; 0 for none.
+    double grid = 0;
+    double unit = 1; ///< pixels of the image a unit of line width: of the screen, its density
     Threads threads = Threads::all();
 };
 
@@ -43,8 +46,8 @@ void paintTexels(QImage& image,
 /// texels of a cell.
 double texelSide(const FaceLayout& layout, Level level);
 
-/// The finest level, at most `finest`, that has no more texels than pixels: what is drawn where a
-/// face is small.
+/// The level, at most `finest`, that has about as many texels as the face has pixels: what is drawn
+/// where a face is small.
 Level levelToDraw(const FaceLayout& layout, Level finest);
 
 } // namespace trixel::ui

@@ -11,11 +11,11 @@ namespace {
 
 QRgb shaded(const TexelFormat& format,
             std::span<const std::byte> texel,
-            const render::Look& look,
+            const render::LookRule& rule,
             std::vector<float>& values)
 {
     decode(format.type, texel, values);
-    const render::Rgba color = render::shade(format, values, look);
+    const render::Rgba color = render::shade(rule, values);
     return qPremultiply(qRgba(color[0], color[1], color[2], color[3]));
 }
 
@@ -70,17 +70,18 @@ const QRgb* ShadedTexels::shadeTile(const FaceTexels& texels, std::size_t tile)
     check(texels.level() == m_level && texels.texelBytes() == m_format.texelBytes(),
           "the texels of this cache");
     auto colors = std::make_unique_for_overwrite<QRgb[]>(kSide * kSide);
+    const render::LookRule rule = render::LookRule::of(m_format, m_look);
     std::vector<float> values(m_format.channels);
     const std::size_t resolution = m_level.resolution();
     const std::size_t left = tile % m_tilesAcross * kSide;
     const std::size_t top = tile / m_tilesAcross * kSide;
     if (texels.isConstant()) {
-        std::fill_n(colors.get(), kSide * kSide, shaded(m_format, texels.texel(0), m_look, values));
+        std::fill_n(colors.get(), kSide * kSide, shaded(m_format, texels.texel(0), rule, values));
     } else {
         for (std::size_t y = top; y < std::min(top + kSide, resolution); ++y) {
             for (std::size_t x = left; x < std::min(left + kSide, resolution); ++x) {
                 colors[(y - top) * kSide + x - left] =
-                    shaded(m_format, texels.texel(y * resolution + x), m_look, values);
+                    shaded(m_format, texels.texel(y * resolution + x), rule, values);
             }
         }
     }

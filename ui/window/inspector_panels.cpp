@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/inspector_panels.h"
 
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "ui/inspector/layout_panel.h"
 #include "ui/window/panel_frames.h"
 #include "ui/window/workspace.h"
 
 namespace trixel::ui {
 
-InspectorPanels::InspectorPanels([[maybe_unused]] const Workspace& work,
-                                 [[maybe_unused]] const PanelFrames& frames,
-                                 QObject* parent)
+InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frames, QObject* parent)
     : QObject(parent)
 {
+    makeLayout(work, frames);
+}
+
+void InspectorPanels::fillMenu(QMenu& menu) const
+{
+    QMenu* layout = menu.addMenu(tr("Texel La&yout"));
+    layout->addActions(m_layout->switches());
+}
+
+void InspectorPanels::makeLayout(const Workspace& work, const PanelFrames& frames)
+{
+    m_layout = new LayoutPanel(work.document, work.settings, work.inspection, work.selection);
+    QDockWidget* dock =
+        frames.below("layoutPanel", tr("Layout"), m_layout, {Qt::SHIFT | Qt::Key_F3});
+    work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);
 }
 
 } // namespace trixel::ui

@@ -3,8 +3,11 @@
 
 #include <QObject>
 
+class QMenu;
+
 namespace trixel::ui {
 
+class LayoutPanel;
 class PanelFrames;
 struct Workspace;
 
@@ -16,6 +19,15 @@ class InspectorPanels : public QObject
 
 public:
     InspectorPanels(const Workspace& work, const PanelFrames& frames, QObject* parent);
+
+    LayoutPanel& layout() const { return *m_layout; }
+    /// What is switched in the panels, so that the command palette finds it.
+    void fillMenu(QMenu& menu) const;
+
+private:
+    void makeLayout(const Workspace& work, const PanelFrames& frames);
+
+    LayoutPanel* m_layout = nullptr;
 };
 
 } // namespace trixel::ui

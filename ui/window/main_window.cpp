@@ -149,7 +149,7 @@ void MainWindow::makePanels()
     const PanelFrames frames(*this, *m_panelActions);
     m_panels = new WorkPanels(work, frames, this);
     new StudyPanels(work, frames, this);
-    new InspectorPanels(work, frames, this);
+    m_inspectors = new InspectorPanels(work, frames, this);
 }
 
 void MainWindow::makeMenus()
@@ -189,6 +189,7 @@ void MainWindow::makeMenus()
     view->addSeparator();
     m_mapActions->fillMenu(*view);
     view->addSeparator();
+    m_inspectors->fillMenu(*view);
     m_panelActions->fillMenu(*view);
 
     ActionMaker make(*this);

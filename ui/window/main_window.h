@@ -21,6 +21,7 @@ class BrushActions;
 class EditActions;
 class FileActions;
 class InspectActions;
+class InspectorPanels;
 class LevelActions;
 class MapActions;
 class MessageBar;
@@ -89,6 +90,7 @@ private:
     Viewport* m_viewport = nullptr;
     MessageBar* m_messages = nullptr;
     WorkPanels* m_panels = nullptr;
+    InspectorPanels* m_inspectors = nullptr;
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
