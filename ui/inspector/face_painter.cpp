@@ -122,7 +122,7 @@ public:
         narrowDown(start, left, right);
         for (int x = left; x <= right; ++x) {
             const glm::dvec2 p = start + static_cast<double>(x) * m_toTexels.x;
-            const QRgb color = over(colorOf(p), line[x]);
+            const QRgb color = over(colorOf(p, x, y), line[x]);
             line[x] = m_paint.grid > 0 ? lined(color, p) : color;
         }
     }
@@ -177,21 +177,27 @@ private:
         return !kTriangles || std::abs(in.x + in.y - 1) > m_reachAcross;
     }
 
-    QRgb colorOf(const Sample& sample) const
+    QRgb colorOf(const Sample& sample, int x, int y) const
     {
         const QRgb tint = sample.upper ? m_paint.upperTint : m_paint.lowerTint;
-        return over(tint, m_shades.at(m_texels, sample.pixel));
+        const QRgb shaded = m_shades.at(m_texels, sample.pixel);
+        if (isMark(shaded)) [[unlikely]] {
+            return over(tint, colorAt(shaded, inUnits(x), inUnits(y)));
+        }
+        return over(tint, shaded);
     }
 
-    QRgb colorOf(glm::dvec2 p) const
+    int inUnits(int pixel) const { return static_cast<int>(pixel / m_paint.unit); }
+
+    QRgb colorOf(glm::dvec2 p, int x, int y) const
     {
         const Sample middle = sampleAt(p);
         if (!m_paint.smooth || isInside(p)) {
-            return colorOf(middle);
+            return colorOf(middle, x, y);
         }
         std::array<QRgb, 4> colors{};
         for (std::size_t k = 0; k < kSamples.size(); ++k) {
-            colors[k] = colorOf(sampleAt(p + m_toTexels.vector(kSamples[k])));
+            colors[k] = colorOf(sampleAt(p + m_toTexels.vector(kSamples[k])), x, y);
         }
         return mean(colors);
     }

@@ -2,6 +2,7 @@
 #include "ui/inspector/layout_painter.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QPen>
 
@@ -24,6 +25,8 @@ constexpr double kCentresFrom = 9;
 constexpr double kCentresTo = 15;
 constexpr double kTrianglesFrom = 16;
 constexpr double kTrianglesTo = 26;
+/// Beyond the coloured edges of the main face, which lie on it.
+constexpr double kSelectionWidth = 5.5;
 constexpr std::size_t kMostShapes = 6000;
 
 QString tr(const char* text)
@@ -125,22 +128,8 @@ void LayoutPainter::drawMarks(QPainter& painter, std::optional<std::uint16_t> ch
     painter.setClipRect(m_area);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const SceneFace& face : m_scene.faces) {
-        drawCentresOn(painter, face);
-        const FaceTexels* texels =
-            m_marks.values || m_marks.indices ? m_faces.texels(face.face) : nullptr;
-        if (texels != nullptr && texels->level() == face.level) {
-            const auto background = [&](TexelCoord texel) {
-                return QColor::fromRgb(m_faces.color(face.face, texel).value_or(0));
-            };
-            drawTexelLabels(painter,
-                            m_ink.font,
-                            placed(face),
-                            m_area,
-                            m_format,
-                            *texels,
-                            {m_marks.values, m_marks.indices, channel},
-                            background);
-        }
+        const bool printed = drawNumbersOn(painter, face, channel);
+        drawCentresOn(painter, face, printed);
     }
     painter.restore();
 }
@@ -150,7 +139,30 @@ double LayoutPainter::gridStrength(const SceneFace& face) const
     return m_marks.grid ? fadeIn(texelSide(placed(face), face.level), kGridFrom, kGridTo) : 0;
 }
 
-void LayoutPainter::drawCentresOn(QPainter& painter, const SceneFace& face) const
+bool LayoutPainter::drawNumbersOn(QPainter& painter,
+                                  const SceneFace& face,
+                                  std::optional<std::uint16_t> channel) const
+{
+    const FaceTexels* texels =
+        m_marks.values || m_marks.indices ? m_faces.texels(face.face) : nullptr;
+    if (texels == nullptr || texels->level() != face.level) {
+        return false;
+    }
+    const auto background = [&](TexelCoord texel) {
+        return QColor::fromRgb(m_faces.color(face.face, texel).value_or(0));
+    };
+    return drawTexelLabels(painter,
+                           m_ink.font,
+                           placed(face),
+                           m_area,
+                           m_format,
+                           *texels,
+                           {m_marks.values, m_marks.indices, channel},
+                           background);
+}
+
+/// \param printed  numbers stand where the dots go
+void LayoutPainter::drawCentresOn(QPainter& painter, const SceneFace& face, bool printed) const
 {
     const FaceLayout layout = placed(face);
     const double side = texelSide(layout, face.level);
@@ -177,7 +189,8 @@ void LayoutPainter::drawCentresOn(QPainter& painter, const SceneFace& face) cons
         painter.setPen(QPen(color, 0.8));
         painter.drawLines(lines.data(), static_cast<int>(lines.size()));
     }
-    drawDots(painter, dots, std::clamp(side / 14, 1.2, 2.6), strength);
+    constexpr double kBesideNumbers = 0.3;
+    drawDots(painter, dots, std::clamp(side / 14, 1.2, 2.6), printed ? kBesideNumbers : strength);
 }
 
 void LayoutPainter::drawFrame(QPainter& painter, const FaceSelection& selection) const
@@ -202,7 +215,7 @@ void LayoutPainter::drawFrame(QPainter& painter, const FaceSelection& selection)
     }
     for (const SceneFace& face : m_scene.faces) {
         if (selection.contains(face.face)) {
-            outline(face, QPen(m_ink.selection, 7, Qt::SolidLine, Qt::RoundCap));
+            outline(face, QPen(m_ink.selection, kSelectionWidth, Qt::SolidLine, Qt::RoundCap));
         }
     }
     drawEdges(painter);
@@ -307,9 +320,16 @@ void LayoutPainter::drawNeighbourNames(QPainter& painter) const
             at = way->p2();
         }
         if (toPolygon(layout.outline()).containsPoint(at, Qt::OddEvenFill)) {
-            const QString name =
-                tr("face %1 · level %2").arg(indexOf(face.face)).arg(face.level.log2());
-            drawHaloed(painter, m_ink, m_ink.small, at, name, m_ink.text);
+            // As much as there is room for.
+            const double room = 0.8 * std::sqrt(std::abs(layout.map().area()));
+            const QFontMetricsF metrics(m_ink.small);
+            const QString brief = tr("face %1").arg(indexOf(face.face));
+            const QString name = tr("%1 · level %2").arg(brief).arg(face.level.log2());
+            if (metrics.horizontalAdvance(name) <= room) {
+                drawHaloed(painter, m_ink, m_ink.small, at, name, m_ink.text);
+            } else if (metrics.horizontalAdvance(brief) <= room) {
+                drawHaloed(painter, m_ink, m_ink.small, at, brief, m_ink.text);
+            }
         }
     }
 }

@@ -56,7 +56,10 @@ public:
 private:
     FaceLayout placed(const SceneFace& face) const { return face.layout.moved(m_toView); }
     double gridStrength(const SceneFace& face) const;
-    void drawCentresOn(QPainter& painter, const SceneFace& face) const;
+    bool drawNumbersOn(QPainter& painter,
+                       const SceneFace& face,
+                       std::optional<std::uint16_t> channel) const;
+    void drawCentresOn(QPainter& painter, const SceneFace& face, bool printed) const;
     void drawEdges(QPainter& painter) const;
     void drawVertices(QPainter& painter) const;
     void drawNeighbourNames(QPainter& painter) const;

@@ -89,7 +89,10 @@ void LayoutPanel::makeViews(const LayoutSources& sources)
     for (const LayoutKind kind : kKinds) {
         auto* made = new LayoutView(kind, sources);
         made->setObjectName(QString("%1View").arg(kViewKeys[static_cast<std::size_t>(kind)]));
-        made->setToolTip(tr("<b>%1</b>: %2.<br>Drag to move, wheel to zoom, click to hold a texel, "
+        made->setToolTip(tr("<b>%1</b>: %2.<br>V0, V1, V2 have (u, v) = (0, 0), (1, 0), (0, 1); "
+                            "along E0 v is 0, "
+                            "along E1 w = 1 − u − v, along E2 u.<br>Drag to move, wheel to zoom, "
+                            "click to hold a texel, "
                             "double-click to frame its face. Arrows step, + − zoom, F frames, "
                             "1 shows a texel a pixel, Space holds.")
                              .arg(titleOf(kind), captionOf(kind)));

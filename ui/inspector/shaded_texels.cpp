@@ -9,17 +9,43 @@ namespace trixel::ui {
 
 namespace {
 
+QRgb premultiplied(const render::Rgba& color)
+{
+    return qPremultiply(qRgba(color[0], color[1], color[2], color[3]));
+}
+
 QRgb shaded(const TexelFormat& format,
             std::span<const std::byte> texel,
+            const render::Look& look,
             const render::LookRule& rule,
             std::vector<float>& values)
 {
     decode(format.type, texel, values);
-    const render::Rgba color = render::shade(rule, values);
-    return qPremultiply(qRgba(color[0], color[1], color[2], color[3]));
+    if (rule.marks) {
+        const render::Mark mark = render::markOf(format, values, look);
+        if (mark != render::Mark::None) {
+            return static_cast<QRgb>(mark);
+        }
+    }
+    return premultiplied(render::shade(rule, values));
 }
 
 } // namespace
+
+QRgb colorAt(QRgb shaded, int x, int y)
+{
+    if (!isMark(shaded)) {
+        return shaded;
+    }
+    const auto mark = static_cast<render::Mark>(shaded);
+    return premultiplied(render::hasInk(mark, x, y) ? render::kMarkInk : render::markColor(mark));
+}
+
+QRgb plainColor(QRgb shaded)
+{
+    return isMark(shaded) ? premultiplied(render::markColor(static_cast<render::Mark>(shaded)))
+                          : shaded;
+}
 
 ShadedTexels::ShadedTexels(const TexelFormat& format, const render::Look& look, Level level)
     : m_format(format)
@@ -76,12 +102,13 @@ const QRgb* ShadedTexels::shadeTile(const FaceTexels& texels, std::size_t tile)
     const std::size_t left = tile % m_tilesAcross * kSide;
     const std::size_t top = tile / m_tilesAcross * kSide;
     if (texels.isConstant()) {
-        std::fill_n(colors.get(), kSide * kSide, shaded(m_format, texels.texel(0), rule, values));
+        std::fill_n(
+            colors.get(), kSide * kSide, shaded(m_format, texels.texel(0), m_look, rule, values));
     } else {
         for (std::size_t y = top; y < std::min(top + kSide, resolution); ++y) {
             for (std::size_t x = left; x < std::min(left + kSide, resolution); ++x) {
                 colors[(y - top) * kSide + x - left] =
-                    shaded(m_format, texels.texel(y * resolution + x), rule, values);
+                    shaded(m_format, texels.texel(y * resolution + x), m_look, rule, values);
             }
         }
     }

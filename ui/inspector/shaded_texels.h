@@ -17,6 +17,18 @@
 
 namespace trixel::ui {
 
+/// The premultiplied colour of a pixel that shows what `ShadedTexels::at` gave: a mark of the look
+/// is a pattern, which differs from pixel to pixel. \param x, y  from the upper left of the
+/// picture, in pixels of 1/96 inch
+QRgb colorAt(QRgb shaded, int x, int y);
+/// The same without the pattern's ink.
+QRgb plainColor(QRgb shaded);
+/// Whether it stands for a mark: no premultiplied colour is brighter than its opacity.
+constexpr bool isMark(QRgb shaded)
+{
+    return (shaded & 0xff000000U) == 0 && shaded != 0;
+}
+
 /// Screen colours of one face's texels at one level, shaded when they are first looked at: what it
 /// costs follows what is seen of a face, not its size. A cache beside the texels, which it does not
 /// keep: holding them would make the next stroke copy them.
@@ -29,8 +41,9 @@ public:
     const render::Look& look() const { return m_look; }
     Level level() const { return m_level; }
 
-    /// Premultiplied colour of a texel. Several threads may ask at once.
-    /// \param texels  of the face that all calls are about, at that level (checked where shaded)
+    /// Premultiplied colour of a texel, or which mark it has: see `colorAt`. Several threads may
+    /// ask at once. \param texels  of the face that all calls are about, at that level (checked
+    /// where shaded)
     QRgb at(const FaceTexels& texels, PackedPixel pixel)
     {
         const std::size_t tile =

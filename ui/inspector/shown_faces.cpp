@@ -83,7 +83,8 @@ std::optional<QRgb> ShownFaces::color(FaceId face, TexelCoord texel)
     if (shown == nullptr) {
         return std::nullopt;
     }
-    return shades(entry(face), shown->level()).at(*shown, packedPixel(shown->level(), texel));
+    return plainColor(
+        shades(entry(face), shown->level()).at(*shown, packedPixel(shown->level(), texel)));
 }
 
 void ShownFaces::complete(FaceId face)

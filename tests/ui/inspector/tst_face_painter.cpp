@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
 #include <thread>
 #include <vector>
@@ -246,6 +247,34 @@ private slots:
                 }
             }
         }
+    }
+
+    void marksOfTheLookAreDrawnWithTheirPatterns()
+    {
+        std::vector<float> numbers(64, 0.5F);
+        const std::size_t bad = indexOf(texelIndex(Level(3), TexelCoord{2, 2, TexelHalf::Lower}));
+        numbers[bad] = std::numeric_limits<float>::quiet_NaN();
+        const FaceTexels texels = FaceTexels::full(Level(3), 4, std::as_bytes(std::span(numbers)));
+        render::Look look;
+        look.marks = true;
+        ShadedTexels shades({TexelType::Float, 1, {}}, look, Level(3));
+        QImage image = canvas(160, 160);
+        const auto layout = FaceLayout::packed().moved({{0, 0}, {160, 0}, {0, 160}});
+        paintTexels(image, image.rect(), layout, texels, shades);
+        int inked = 0;
+        for (int y = 42; y < 58; ++y) {
+            for (int x = 42; x < 58; ++x) {
+                const bool ink = render::hasInk(render::Mark::NotANumber, x, y);
+                const render::Rgba color =
+                    ink ? render::kMarkInk : render::markColor(render::Mark::NotANumber);
+                QCOMPARE(image.pixel(x, y), qRgb(color[0], color[1], color[2]));
+                inked += ink ? 1 : 0;
+            }
+        }
+        QVERIFY(inked > 30 && inked < 220);
+        QCOMPARE(image.pixel(10, 10), qRgb(128, 128, 128));
+        const render::Rgba plain = render::markColor(render::Mark::NotANumber);
+        QCOMPARE(plainColor(shades.at(texels, {2, 2})), qRgb(plain[0], plain[1], plain[2]));
     }
 
     void severalThreadsMayAskAtOnce()
