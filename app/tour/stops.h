@@ -22,6 +22,7 @@ public:
 
     Status wholeScene();
     Status hoveredTexel();
+    Status heldTexel();
     Status paintedStroke();
     Status undoneAndRedone();
     Status texelsOfBothHalves();

@@ -47,6 +47,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
     using Stop = Status (Stops::*)();
     for (const Stop stop : {&Stops::wholeScene,
                             &Stops::hoveredTexel,
+                            &Stops::heldTexel,
                             &Stops::paintedStroke,
                             &Stops::undoneAndRedone,
                             &Stops::texelsOfBothHalves,
