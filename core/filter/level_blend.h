@@ -16,7 +16,7 @@ inline constexpr double kVertexKernel = 1.0 / 3.0;  ///< vertex averages: c = 7/
 inline constexpr double kHexlinKernel = 5.0 / 36.0; ///< hexlin: c = 7/72
 
 /// Variances of the sharpest look-ups, in squared edges of a base texel: vertex averages of the
-/// base, and what probes read beyond it, the base's texels by hexlin (`texel_detail.h`).
+/// base, and what probes read beyond it, the base's texels by hexlin (`probe_texels_simd-inl.h`).
 inline constexpr double kBaseVariance = kVertexKernel - kTexelVariance;
 inline constexpr double kDetailVariance = kHexlinKernel - kTexelVariance;
 /// What a level finer than the base would blur by the rule for the others.

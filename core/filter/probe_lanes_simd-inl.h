@@ -29,14 +29,14 @@ struct WalkLines
     std::size_t count = 0;
     alignas(64) double u[kRoom], v[kRoom]; ///< centre, inside the face
     alignas(64) double stepU[kRoom], stepV[kRoom];
-    alignas(64) double perSide[kRoom];     ///< probes, at least one
-    alignas(64) std::int64_t face[kRoom];  ///< number
-    alignas(64) std::int64_t first[kRoom]; ///< place of the line's first probe, below 2^16
-    /// Set for lines that meet a border, or more faces than may be: their probes are to be placed
-    /// by `placeProbes`, after all others.
+    alignas(64) double perSide[kRoom];    ///< probes, at least one
+    alignas(64) std::int64_t face[kRoom]; ///< number
+    alignas(64) std::int64_t side[kRoom]; ///< id of the side ahead, even; the one back has the next
+    /// By half of that id: set for lines that meet a border, or more faces than may be; their
+    /// pieces are to be placed by `placeProbes` instead.
     bool isCut[kRoom];
 
-    void add(const ProbeLine& line, int probesPerSide, std::size_t firstProbe)
+    void add(const ProbeLine& line, int probesPerSide, std::size_t number)
     {
         u[count] = line.centre.x;
         v[count] = line.centre.y;
@@ -44,22 +44,9 @@ struct WalkLines
         stepV[count] = line.step.y;
         perSide[count] = probesPerSide;
         face[count] = static_cast<std::int64_t>(indexOf(line.face));
-        first[count] = static_cast<std::int64_t>(firstProbe);
-        isCut[count] = false;
+        side[count] = static_cast<std::int64_t>(2 * number);
         ++count;
     }
-};
-
-/// Pieces of lines within one face that probes lie on, structure of arrays.
-struct Pieces
-{
-    static constexpr std::size_t kRoom = ProbeArrays::kRoom + 16;
-
-    std::size_t count = 0;
-    alignas(64) double u[kRoom], v[kRoom];           ///< of the first probe
-    alignas(64) double perU[kRoom], perV[kRoom];     ///< from probe to probe
-    alignas(64) double begin[kRoom], end[kRoom];     ///< numbers of the side's probes
-    alignas(64) std::int64_t face[kRoom], id[kRoom]; ///< see SideLanes
 };
 
 /// Sides on their way, structure of arrays. Points of the plane are seen from the line's centre: x
@@ -83,7 +70,7 @@ struct SideLanes
     std::size_t count = 0;
     alignas(64) double fields[Fields][kRoom];
     alignas(64) std::int64_t at[kRoom]; ///< face << 2 | edge that it was entered by
-    /// Faces walked << 32 | line << 16 | place of the side's first probe.
+    /// Faces walked << 32 | id of the side.
     alignas(64) std::int64_t id[kRoom];
 
     /// Gives a lane to the last side.
@@ -109,10 +96,9 @@ public:
     {
     }
 
-    /// Fills the pieces.
+    /// Adds all pieces.
     void walk()
     {
-        m_pieces.count = 0;
         m_sides.count = 0;
         for (std::size_t k = 0; k < m_lines.count; k += hn::Lanes(D())) {
             begin(k);
@@ -179,6 +165,7 @@ private:
         hn::CompressStore(perV, some, d, to.perV + n);
         hn::CompressStore(at.next, some, d, to.begin + n);
         hn::CompressStore(end, some, d, to.end + n);
+        hn::StoreU(hn::Set(d, 1.0), d, to.share + n);
         const auto someInts = hn::RebindMask(di, some);
         hn::CompressStore(at.face, someInts, di, to.face + n);
         hn::CompressStore(at.id, someInts, di, to.id + n);
@@ -243,7 +230,7 @@ private:
         HWY_ALIGN std::int64_t ids[HWY_MAX_BYTES / 8];
         const std::size_t count = hn::CompressStore(id, hn::RebindMask(DI(), isCut), DI(), ids);
         for (std::size_t k = 0; k < count; ++k) {
-            m_lines.isCut[ids[k] >> 16 & 0xFFFF] = true;
+            m_lines.isCut[(ids[k] & 0xFFFFFFFF) >> 1] = true;
         }
     }
 
@@ -296,9 +283,7 @@ private:
         const V least = hn::Mul(perSide, hn::Mul(perSide, square));
         const M isClear = hn::Lt(least, hn::Mul(clearance, clearance));
         const V reach = hn::IfThenElse(isClear, hn::Sub(perSide, hn::Set(d, 0.5)), perSide);
-        const VI id = hn::Or(hn::Load(di, m_lines.first + first),
-                             hn::ShiftLeft<16>(hn::Iota(di, static_cast<std::int64_t>(first))));
-        const VI back = hn::Add(id, hn::ConvertTo(di, perSide));
+        const VI id = hn::Load(di, m_lines.side + first);
         Leaving leaving;
         leaving.entryU = u;
         leaving.entryV = v;
@@ -308,7 +293,7 @@ private:
         beginSide(x0, y0, x1, y1, x2, y2, leaving, valid);
         leaving.entryU = u;
         leaving.entryV = v;
-        leaving.id = back;
+        leaving.id = hn::Add(id, hn::Set(di, 1));
         beginSide(hn::Neg(x0),
                   hn::Neg(y0),
                   hn::Neg(x1),

@@ -5,6 +5,8 @@
 #include "core/filter/probe_lanes_simd-inl.h"
 #include "core/filter/probe_walk.h"
 
+#include <cmath>
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 #include <span>
 
@@ -24,129 +26,129 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct QueryLines
 {
     std::size_t first = 0, count = 0;
-    std::size_t texels = 0; ///< that they read
+};
+
+/// A line, its probes' weights and the pieces that these are in.
+struct PlacedLine
+{
+    int fine = 0;         ///< number of the finer level
+    float coarse = 0;     ///< weight of the coarser level
+    float share = 1;      ///< of the answer
+    std::size_t bell = 0; ///< place of the weights of either side's probes
+    /// Each side's first piece, from which `PieceReads::next` leads on.
+    std::int32_t first[2] = {-1, -1};
+};
+
+/// Where pieces find the vertices that their probes read.
+struct PieceReads
+{
+    ConformingPyramid::Finest level;
+    std::int32_t next = -1; ///< piece of the same side
 };
 
 /// Queries on their way from plans to answers, a batch at a time.
 struct ProbeBatch
 {
     QueryLines queries[ProbePlans::kSize];
-    ProbeLine lines[WalkLines::kSize];
-    ProbeRange ranges[WalkLines::kSize]; ///< of the lines
+    ProbeLine probed[WalkLines::kSize];
+    PlacedLine lines[WalkLines::kSize];
+    alignas(64) float bells[Pieces::kMostProbes]; ///< weights of lines' probes
     WalkLines walked;
-    std::size_t lineOf[WalkLines::kSize]; ///< that is walked
     SideLanes sides;
     Pieces pieces;
-    ProbeArrays probes;
+    PieceReads reads[Pieces::kRoom]; ///< of the pieces
 };
 
-/// Tells where the probes of the pieces are.
-void fillPieces(const FilterScene& scene, ProbeBatch& batch)
+/// Tells what pieces read, from `begin` on, and hands them to their lines.
+void linkPieces(const FilterScene& scene, std::size_t begin, ProbeBatch& batch)
 {
-    const hn::ScalableTag<double> d;
-    const hn::Rebind<std::int64_t, decltype(d)> di;
-    const hn::Rebind<std::int32_t, decltype(d)> dn;
-    const hn::Rebind<float, decltype(d)> df;
-    const Pieces& pieces = batch.pieces;
-    ProbeArrays& to = batch.probes;
-    for (std::size_t k = 0; k < pieces.count; ++k) {
-        const auto face = faceId(static_cast<std::size_t>(pieces.face[k]));
-        const auto id = static_cast<std::size_t>(pieces.id[k]);
-        ProbeRange& range = batch.ranges[batch.lineOf[id >> 16 & 0xFFFF]];
-        const Level fine(range.fine);
-        const ConformingPyramid::Finest finest = scene.pyramid().finest(face, fine);
-        range.beyond |= finest.level < fine;
-        std::size_t at = (id & 0xFFFF) + static_cast<std::size_t>(pieces.begin[k]);
-        const auto count = static_cast<std::size_t>(pieces.end[k] - pieces.begin[k]);
-        const auto perU = hn::Set(d, pieces.perU[k]);
-        const auto perV = hn::Set(d, pieces.perV[k]);
-        const auto scale = hn::Set(d, double(finest.level.resolution()));
-        const auto values = hn::Set(di, reinterpret_cast<std::int64_t>(finest.values));
-        const auto stride = hn::Set(dn, static_cast<std::int32_t>(finest.stride));
-        const auto coarse = hn::Set(df, finest.level < fine ? 0.0F : range.coarse);
-        auto step = hn::Iota(d, 0);
-        for (std::size_t left = count; left > 0;) {
-            const std::size_t some = std::min(left, hn::Lanes(d));
-            const auto mask = hn::FirstN(d, some);
-            const auto u = hn::MulAdd(step, perU, hn::Set(d, pieces.u[k]));
-            const auto v = hn::MulAdd(step, perV, hn::Set(d, pieces.v[k]));
-            hn::BlendedStore(u, mask, d, to.u + at);
-            hn::BlendedStore(v, mask, d, to.v + at);
-            hn::BlendedStore(scale, mask, d, to.scale + at);
-            hn::BlendedStore(values,
-                             hn::RebindMask(di, mask),
-                             di,
-                             reinterpret_cast<std::int64_t*>(to.values + at));
-            hn::BlendedStore(stride, hn::FirstN(dn, some), dn, to.stride + at);
-            hn::BlendedStore(coarse, hn::FirstN(df, some), df, to.coarse + at);
-            for (std::size_t p = at; p < at + some; ++p) {
-                to.face[p] = face;
-            }
-            step = hn::Add(step, hn::Set(d, double(hn::Lanes(d))));
-            at += some;
-            left -= some;
-        }
+    for (std::size_t k = batch.pieces.count; k > begin;) {
+        --k;
+        const std::size_t side = batch.pieces.side(k);
+        PlacedLine& line = batch.lines[side / 2];
+        const auto face = faceId(static_cast<std::size_t>(batch.pieces.face[k]));
+        std::int32_t& first = line.first[side % 2];
+        batch.reads[k] = {scene.pyramid().finest(face, Level(line.fine)), first};
+        first = static_cast<std::int32_t>(k);
     }
 }
 
-/// Places and shares of the probes of a line that no border cuts.
-void layPlaces(const ProbeLine& line, int perSide, std::size_t first, ProbeArrays& probes)
+/// Weights of probes: exp(-c x²) - exp(-c).
+void weighProbes(double c, std::size_t count, float* places)
 {
-    const auto perSupport = static_cast<float>(1 / line.support);
-    for (int way = 0; way < 2; ++way) {
-        for (int k = 0; k < perSide; ++k, ++first) {
-            probes.place[first] = (static_cast<float>(k) + 0.5F) * perSupport;
-            probes.share[first] = 1;
-        }
+    const hn::ScalableTag<float> d;
+    const auto falloff = hn::Set(d, static_cast<float>(-c));
+    const auto pedestal = hn::Set(d, static_cast<float>(std::exp(-c)));
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+        const auto x = hn::Load(d, places + k);
+        const auto bell = hn::Sub(hn::Exp(d, hn::Mul(falloff, hn::Mul(x, x))), pedestal);
+        // Never nothing: at a border one probe may be all there is.
+        hn::Store(hn::Max(bell, hn::Set(d, 1e-6F)), d, places + k);
+    }
+}
+
+/// Where the probes of a side are, in supports.
+void layPlaces(double support, std::size_t count, float* places)
+{
+    const hn::ScalableTag<float> d;
+    const auto perSupport = hn::Set(d, static_cast<float>(1 / support));
+    for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
+        const auto number = hn::Iota(d, static_cast<float>(k) + 0.5F);
+        hn::StoreU(hn::Min(hn::Mul(number, perSupport), hn::Set(d, 1.0F)), d, places + k);
     }
 }
 
 /// Places the probes of as many queries of a block as there is room for, from `first` on; returns
 /// how many.
-/// \param faces  of the block's queries
+/// \param faces    of the block's queries
+/// \param falloff  of the weights, see `ProbeLine`
 std::size_t placeSome(const FilterScene& scene,
                       const ProbePlans& plans,
                       std::span<const FaceId> faces,
+                      double falloff,
                       std::size_t first,
                       ProbeBatch& batch)
 {
     std::size_t lines = 0;
-    std::size_t probes = 0;
+    std::size_t perSides = 0;
     std::size_t count = 0;
     batch.walked.count = 0;
+    batch.pieces.count = 0;
     for (; first + count < faces.size() && lines + kMostLines <= WalkLines::kSize &&
-           probes + kMostLines * kRoomPerLine <= ProbeArrays::kSize;
+           2 * perSides + kMostLines * kRoomPerLine <= Pieces::kMostProbes;
          ++count) {
         const std::size_t plan = first + count;
         QueryLines& query = batch.queries[count];
-        query.first = lines;
-        query.count = linesOf(plans, plan, faces[plan], batch.lines + lines);
-        const auto coarse = static_cast<float>(plans.coarse[plan]);
-        const int fine = static_cast<int>(plans.fine[plan]);
+        query = {lines, linesOf(plans, plan, faces[plan], batch.probed + lines)};
         for (std::size_t l = 0; l < query.count; ++l, ++lines) {
-            const ProbeLine& line = batch.lines[lines];
-            ProbeRange& range = batch.ranges[lines];
-            range = {probes, 0, fine, coarse, false};
+            const ProbeLine& line = batch.probed[lines];
+            batch.walked.isCut[lines] = false;
+            batch.lines[lines] = {static_cast<int>(plans.fine[plan]),
+                                  static_cast<float>(plans.coarse[plan]),
+                                  static_cast<float>(line.share),
+                                  perSides};
+            int perSide = 1;
             if (line.hasDirection()) {
-                const int perSide = line.perSide();
-                range.count = 2 * static_cast<std::size_t>(perSide);
-                layPlaces(line, perSide, probes, batch.probes);
-                batch.lineOf[batch.walked.count] = lines;
-                batch.walked.add(line, perSide, probes);
+                perSide = line.perSide();
+                batch.walked.add(line, perSide, lines);
             } else {
-                placeProbes(scene, line, range, batch.probes);
+                placeProbes(scene.surface(), line, 2 * lines, batch.pieces);
             }
-            probes += range.count;
+            layPlaces(line.support, static_cast<std::size_t>(perSide), batch.bells + perSides);
+            perSides += static_cast<std::size_t>(perSide);
         }
     }
+    weighProbes(falloff, perSides, batch.bells);
     LineWalker(scene.surface(), batch.walked, batch.sides, batch.pieces).walk();
-    fillPieces(scene, batch);
-    for (std::size_t k = 0; k < batch.walked.count; ++k) {
-        if (batch.walked.isCut[k]) {
-            const std::size_t line = batch.lineOf[k];
-            placeProbes(scene, batch.lines[line], batch.ranges[line], batch.probes);
+    linkPieces(scene, 0, batch);
+    const std::size_t placed = batch.pieces.count;
+    for (std::size_t l = 0; l < lines; ++l) {
+        if (batch.walked.isCut[l]) {
+            batch.lines[l].first[0] = batch.lines[l].first[1] = -1;
+            placeProbes(scene.surface(), batch.probed[l], 2 * l, batch.pieces);
         }
     }
+    linkPieces(scene, placed, batch);
     return count;
 }
 

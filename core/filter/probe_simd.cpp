@@ -19,7 +19,7 @@ struct Workspace
     PlanInputs inputs;
     ProbePlans plans;
     ProbeBatch batch;
-    Reads reads[2];
+    Reads reads;
 };
 
 void gatherInputs(const FilterScene& scene,
@@ -62,15 +62,9 @@ void filterBlock(const FilterScene& scene,
         planAll(work.inputs, count, settings, work.plans);
         for (std::size_t done = 0; done < count;) {
             const auto faces = queries.face.subspan(begin, count);
-            const std::size_t some = placeSome(scene, work.plans, faces, done, work.batch);
-            finishSome(scene,
-                       queries,
-                       begin + done,
-                       some,
-                       settings.falloff,
-                       results,
-                       work.batch,
-                       work.reads);
+            const std::size_t some =
+                placeSome(scene, work.plans, faces, settings.falloff, done, work.batch);
+            finishSome(scene, queries, begin + done, some, results, work.batch, work.reads);
             done += some;
         }
     }

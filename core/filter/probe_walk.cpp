@@ -2,7 +2,9 @@
 #include "core/filter/probe_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 namespace trixel {
 namespace {
@@ -110,77 +112,78 @@ forFaces(const FilterSurface& surface, const LineInFace& first, double reach, co
     }
 }
 
-/// Writes probes down, one after the other.
-struct ProbeWriter
+/// Writes pieces down, one after the other.
+struct PieceWriter
 {
-    const FilterScene& scene;
-    ProbeRange& range;
-    ProbeArrays& probes;
-    double perSupport;
+    Pieces& pieces;
+    std::size_t side;
 
-    void put(FaceId face, glm::dvec2 uv, double place, double share)
+    /// \param first  number of the first of `count` probes
+    void put(FaceId face, glm::dvec2 uv, glm::dvec2 step, int first, int count, double share)
     {
-        const Level fine(range.fine);
-        const ConformingPyramid::Finest finest = scene.pyramid().finest(face, fine);
-        const std::size_t at = range.first + range.count;
-        probes.u[at] = uv.x;
-        probes.v[at] = uv.y;
-        probes.scale[at] = finest.level.resolution();
-        probes.values[at] = finest.values;
-        probes.stride[at] = static_cast<std::int32_t>(finest.stride);
-        probes.place[at] = static_cast<float>(place) * static_cast<float>(perSupport);
-        probes.share[at] = static_cast<float>(share);
-        probes.coarse[at] = finest.level < fine ? 0 : range.coarse;
-        probes.face[at] = face;
-        range.beyond |= finest.level < fine;
-        ++range.count;
+        const std::size_t at = pieces.count++;
+        pieces.u[at] = uv.x;
+        pieces.v[at] = uv.y;
+        pieces.perU[at] = step.x;
+        pieces.perV[at] = step.y;
+        pieces.begin[at] = first;
+        pieces.end[at] = first + count;
+        pieces.share[at] = share;
+        pieces.face[at] = static_cast<std::int64_t>(indexOf(face));
+        pieces.id[at] = static_cast<std::int64_t>(side);
     }
 };
 
 /// Probes to one side, up to where the surface ends.
-void placeSide(const FilterSurface& surface, const LineInFace& first, double end, ProbeWriter& out)
+void placeSide(const FilterSurface& surface, const LineInFace& first, double end, PieceWriter out)
 {
-    const int last = static_cast<int>(std::ceil(end));
+    const int whole = static_cast<int>(end);
     int next = 0;
     forFaces(surface, first, end, [&](const LineInFace& at) {
         const double leave = at.leave();
+        const bool isLast = leave >= end;
         const glm::dvec2 exit = pointOn(at.edge, at.crossing());
         const glm::dvec2 step = (exit - at.entry) * (1 / std::max(leave - at.begin, 1e-300));
-        for (; next < last; ++next) {
-            // A border within the last step leaves a part of it.
-            const double part = std::min(end - next, 1.0);
-            const double t = next + part / 2;
-            if (t > leave && leave < end) {
-                break;
-            }
-            out.put(at.face, at.entry + (t - at.begin) * step, next + 0.5, part);
+        const auto uvAt = [&](double t) { return at.entry + (t - at.begin) * step; };
+        int beyond = next;
+        while (beyond < whole && (isLast || beyond + 0.5 <= leave)) {
+            ++beyond;
+        }
+        if (beyond > next) {
+            out.put(at.face, uvAt(next + 0.5), step, next, beyond - next, 1);
+            next = beyond;
+        }
+        // A border within the last step leaves a part of it.
+        const double part = end - whole;
+        if (next == whole && part > 0 && (isLast || whole + part / 2 <= leave)) {
+            out.put(at.face, uvAt(whole + part / 2), step, whole, 1, part);
+            ++next;
         }
     });
 }
 
 } // namespace
 
-void placeProbes(const FilterScene& scene,
+void placeProbes(const FilterSurface& surface,
                  const ProbeLine& line,
-                 ProbeRange& range,
-                 ProbeArrays& probes)
+                 std::size_t side,
+                 Pieces& pieces)
 {
-    range.count = 0;
-    ProbeWriter out{scene, range, probes, 1 / line.support};
+    const std::size_t before = pieces.count;
     if (line.hasDirection()) {
         const double reach = line.perSide();
         for (const double way : {1.0, -1.0}) {
-            const LineInFace start = firstFace(scene.surface(), line, way);
-            const double end = forFaces(scene.surface(), start, reach, [](const LineInFace&) {});
+            const LineInFace start = firstFace(surface, line, way);
+            const double end = forFaces(surface, start, reach, [](const LineInFace&) {});
             // So little of a step has no weight that could be told from none.
             constexpr double kNothing = 1e-6;
             if (end > kNothing) {
-                placeSide(scene.surface(), start, end, out);
+                placeSide(surface, start, end, {pieces, way > 0 ? side : side + 1});
             }
         }
     }
-    if (range.count == 0) { // no step lies on the surface
-        out.put(line.face, line.centre, 0.5, 1);
+    if (pieces.count == before) { // no step lies on the surface
+        PieceWriter{pieces, side}.put(line.face, line.centre, {}, 0, 1, 1);
     }
 }
 

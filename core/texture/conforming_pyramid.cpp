@@ -156,7 +156,9 @@ Result<ConformingPyramid> ConformingPyramid::build(const FloatMips& mips,
             for (std::size_t group = 0; group < groups; ++group) {
                 const float* value = mips.average(face, static_cast<int>(group));
                 float* to = values + group * kConstantSize;
-                std::copy_n(value, kGroupChannels, std::copy_n(value, kGroupChannels, to));
+                for (std::size_t k = 0; k < kConstantSize; k += kGroupChannels) {
+                    std::copy_n(value, kGroupChannels, to + k);
+                }
             }
         } else {
             const std::size_t size = groupSize(mips.level(face));

@@ -92,25 +92,28 @@ public:
         return {block.values.get() + number * groupSize(block.level) + levelBegin(level)};
     }
 
-    /// The finest level of a face that is not above `most`, first group: for inner loops.
+    /// The finest level of a face that is not above `most`, first group: for inner loops. Where all
+    /// about a face is one constant, that is level 0.
     struct Finest
     {
-        const float* values = nullptr;
-        std::uint32_t stride = 0; ///< as that of LevelVertices
+        const float* values = nullptr; ///< four floats a vertex
         Level level;
+        bool constant = false;
     };
     Finest finest(FaceId face, Level most) const
     {
         const SharedBlocks::Block& block = m_blocks.block(face);
-        const Level level = block.level < most ? block.level : most;
         const float* values = block.values.get();
-        return block.constant ? Finest{values, 0, level}
-                              : Finest{values + levelBegin(level), kGroupChannels, level};
+        if (block.constant) {
+            return {values, Level(0), true};
+        }
+        const Level level = block.level < most ? block.level : most;
+        return {values + levelBegin(level), level, false};
     }
 
-    /// Floats of one group of a constant face: the value twice, because those who interpolate read
-    /// two vertices at once.
-    static constexpr std::size_t kConstantSize = 2 * std::size_t{kGroupChannels};
+    /// Floats of one group of a constant face: the value at each vertex of level 0, because those
+    /// who interpolate read three.
+    static constexpr std::size_t kConstantSize = 3 * std::size_t{kGroupChannels};
     /// Floats of one group of channels before a level; coarse levels come first.
     static constexpr std::size_t levelBegin(Level level)
     {
