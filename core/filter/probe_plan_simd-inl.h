@@ -44,6 +44,9 @@ HWY_INLINE V limitOf(D d, V u, V v)
     const V squared = hn::MulAdd(u, u, hn::Mul(v, v));
     const V widest = hn::Set(d, kWidestFootprint);
     const auto isLong = hn::Gt(squared, hn::Mul(widest, widest));
+    if (hn::AllFalse(d, isLong)) {
+        return hn::Set(d, 1.0); // no roots for nothing
+    }
     return hn::IfThenElse(isLong, hn::Div(widest, hn::Sqrt(squared)), hn::Set(d, 1.0));
 }
 
@@ -64,8 +67,10 @@ HWY_INLINE Place placeOf(D d, const PlanInputs& in, std::size_t at)
     u = hn::Max(hn::IfThenElse(hasCentre, u, hn::Set(d, 1.0 / 3.0)), zero);
     v = hn::Max(hn::IfThenElse(hasCentre, v, hn::Set(d, 1.0 / 3.0)), zero);
     const V outside = hn::Max(hn::Add(u, v), one);
-    u = hn::Div(u, outside);
-    v = hn::Div(v, outside);
+    if (!hn::AllTrue(d, hn::Eq(outside, one))) {
+        u = hn::Div(u, outside);
+        v = hn::Div(v, outside);
+    }
     const V w = hn::Sub(hn::Sub(one, u), v);
     const auto interpolated = [&](const double(&corners)[3][PlanInputs::kSize]) HWY_ATTR {
         return hn::MulAdd(
@@ -285,10 +290,13 @@ HWY_INLINE void planLanes(const PlanInputs& in,
     const V e1x = hn::Load(d, in.e1x + at);
     const V e2x = hn::Load(d, in.e2x + at);
     const V e2y = hn::Load(d, in.e2y + at);
-    const V stepV = hn::Div(hn::Mul(axisY, mainLine.step), e2y);
-    const V stepU = hn::Div(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, mainLine.step)), e1x);
-    const V crossV = hn::Div(hn::Mul(axisX, crossLine.step), e2y);
-    const V crossU = hn::Neg(hn::Div(hn::MulAdd(crossV, e2x, hn::Mul(axisY, crossLine.step)), e1x));
+    const V perX = hn::Div(one, e1x);
+    const V perY = hn::Div(one, e2y);
+    const V stepV = hn::Mul(hn::Mul(axisY, mainLine.step), perY);
+    const V stepU = hn::Mul(hn::NegMulAdd(stepV, e2x, hn::Mul(axisX, mainLine.step)), perX);
+    const V crossV = hn::Mul(hn::Mul(axisX, crossLine.step), perY);
+    const V crossU =
+        hn::Mul(hn::MulAdd(crossV, e2x, hn::Mul(axisY, crossLine.step)), hn::Neg(perX));
 
     hn::Store(place.u, d, out.u + at);
     hn::Store(place.v, d, out.v + at);
