@@ -2,8 +2,34 @@
 #include "core/texture/shared_blocks.h"
 
 #include <algorithm>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace trixel {
+namespace {
+
+/// Room for floats, in large pages as far as it fills them: filters read it at random places, and
+/// each page has to be looked up.
+std::shared_ptr<float[]> makeRoom(std::size_t size)
+{
+    constexpr std::size_t kLargePage = std::size_t{1} << 21;
+    const std::size_t bytes = size * sizeof(float);
+    if (bytes < kLargePage) {
+        return std::shared_ptr<float[]>(new float[size]);
+    }
+    constexpr std::align_val_t kAlignment{kLargePage};
+    void* room = ::operator new[](bytes, kAlignment);
+#ifdef __linux__
+    // Refused, it is as good as it was.
+    static_cast<void>(madvise(room, bytes / kLargePage * kLargePage, MADV_HUGEPAGE));
+#endif
+    return {static_cast<float*>(room), [](float* it) { ::operator delete[](it, kAlignment); }};
+}
+
+} // namespace
 
 float* SharedBlocks::renew(FaceId face, Level level, bool constant, std::size_t size)
 {
@@ -15,7 +41,7 @@ float* SharedBlocks::renew(FaceId face, Level level, bool constant, std::size_t 
     const std::uint32_t number = m_unused.back();
     m_unused.pop_back();
     m_blockOf[indexOf(face)] = number;
-    m_blocks[number] = {level, constant, 1, size, std::shared_ptr<float[]>(new float[size])};
+    m_blocks[number] = {level, constant, 1, size, makeRoom(size)};
     return m_blocks[number].values.get();
 }
 
