@@ -50,14 +50,8 @@ FilterScene pillowScene(float value)
 {
     TriangleMesh mesh = pairOfFaces();
     mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
-    const TexelStore store(2,
-                           TexelFormat{TexelType::Float, 1, std::nullopt},
-                           Level(9),
-                           std::as_bytes(std::span(&value, 1)));
-    NoProgress progress;
-    auto surface = std::make_shared<const FilterSurface>(
-        FilterSurface::fromMesh(mesh, buildAdjacency(mesh.triangles)));
-    return *FilterScene::build(std::move(surface), store, Threads{1}, progress);
+    const std::array<Level, 2> levels{Level(9), Level(9)};
+    return sceneOf(mesh, levels, [value](FaceId, Level, TexelIndex) { return value; });
 }
 
 TriangleMesh fan(int valence)

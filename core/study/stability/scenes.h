@@ -26,8 +26,8 @@ sceneOf(const TriangleMesh& mesh, std::span<const Level> levels, const TexelValu
 /// One equilateral face of edge 1 and value 0.5.
 FilterScene flatScene(Level level);
 
-/// Two equilateral faces glued along all three edges, of level 9 and one value: no line over it
-/// ever ends.
+/// Two equilateral faces glued along all three edges, of level 9, each of whose texels has the one
+/// value: no line over it ever ends, and nothing is saved because it is constant.
 FilterScene pillowScene(float value);
 
 /// Closed fan of triangles around the origin, corners at distance 1.
