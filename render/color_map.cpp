@@ -9,7 +9,7 @@ namespace trixel::render {
 
 namespace {
 
-constexpr std::size_t kSteps = 1024;
+constexpr std::size_t kSteps = kMapColors;
 
 /// Lightness and hue along the scale; chroma is as large as the screen's colours allow, up to this.
 constexpr double kDarkest = 0.27;

@@ -50,6 +50,7 @@ void addRange(std::vector<DisplayUpdate::Range>& ranges, std::uint32_t first, st
 void DisplayTexels::reset(const TexelStore& store, int mipDrop, std::uint32_t maxTexels)
 {
     m_format = displayFormat(store.format().type);
+    m_channels = usualChannels(store.format());
     m_dropAsked = mipDrop;
     m_maxTexels = maxTexels;
     layOut(store);
@@ -134,6 +135,14 @@ void DisplayTexels::touchAll()
     m_touched.clear();
 }
 
+void DisplayTexels::showChannels(const CardChannels& channels)
+{
+    if (channels != m_channels) {
+        m_channels = channels;
+        touchAll();
+    }
+}
+
 bool DisplayTexels::hasWork() const
 {
     return m_fresh || !m_touched.empty() || m_nextFace < m_records.size();
@@ -211,7 +220,7 @@ void DisplayTexels::emitFace(const TexelStore& store, FaceId face, DisplayUpdate
         (void)texels.writable(); // it was painted once and keeps its range
     }
     addRange(update.texels, record.offset, texels.isConstant() ? 1 : texels.level().texelCount());
-    appendShown(store.format(), texels.bytes(), update.bytes);
+    appendShown(store.format(), m_channels, texels.bytes(), update.bytes);
 }
 
 void DisplayTexels::emitRect(const TexelStore& store,
@@ -230,8 +239,10 @@ void DisplayTexels::emitRect(const TexelStore& store,
     const auto send = [&](std::uint32_t first, std::uint32_t count) {
         addRange(update.texels, record.offset + first, count);
         const std::size_t bytes = texels.texelBytes();
-        appendShown(
-            store.format(), texels.bytes().subspan(first * bytes, count * bytes), update.bytes);
+        appendShown(store.format(),
+                    m_channels,
+                    texels.bytes().subspan(first * bytes, count * bytes),
+                    update.bytes);
     };
     const std::uint32_t width = x1 - rect.x0;
     if (resolution - width <= kMergeGap) {

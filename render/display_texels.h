@@ -57,7 +57,7 @@ struct DisplayUpdate
 class DisplayTexels
 {
 public:
-    /// Starts over with a store.
+    /// Starts over with a store, and its usual channels.
     /// \param mipDrop    show every face this many levels coarser (>= 0)
     /// \param maxTexels  most texels the buffer can have; levels are dropped further to fit
     void reset(const TexelStore& store, int mipDrop, std::uint32_t maxTexels);
@@ -67,6 +67,10 @@ public:
 
     /// Notes that every texel may have changed. What is on the card stays until it is replaced.
     void touchAll();
+
+    /// Sends other channels from now on, and all texels anew where they are others.
+    void showChannels(const CardChannels& channels);
+    const CardChannels& channels() const { return m_channels; }
 
     /// Converts what is to be sent next: all that was touched, then faces not sent yet until
     /// `byteBudget` is reached (at least one face).
@@ -101,6 +105,7 @@ private:
     emitRect(const TexelStore& store, FaceId face, const Rect& rect, DisplayUpdate& update) const;
 
     DisplayFormat m_format = DisplayFormat::Rgba8;
+    CardChannels m_channels{0, 1, 2, -1};
     int m_dropAsked = 0;
     int m_drop = 0;
     std::uint64_t m_maxTexels = 0;

@@ -104,22 +104,50 @@ LookRule LookRule::of(const TexelFormat& format, const Look& look)
 
 namespace {
 
-Mark markOf(const LookRule& rule, std::span<const float> values)
+/// Calls take(value, most) for each value that marks are about.
+template <class Take>
+void forMarkedValues(const LookRule& rule, std::span<const float> values, Take take)
 {
     if (rule.kind != LookRule::Kind::Colors && rule.number != LookRule::kLuminance) {
-        return markOf(values[static_cast<std::size_t>(rule.number)], rule.most);
+        take(values[static_cast<std::size_t>(rule.number)], rule.most);
+        return;
     }
-    Mark worst = Mark::None;
     for (std::size_t c = 0; c < colorsOf(values.size()); ++c) {
-        worst = std::max(worst, markOf(values[c], rule.most));
+        take(values[c], rule.most);
     }
     if (rule.opacity >= 0) {
-        worst = std::max(worst, markOf(values[static_cast<std::size_t>(rule.opacity)], 1.0F));
+        take(values[static_cast<std::size_t>(rule.opacity)], 1.0F);
     }
+}
+
+Mark markOf(const LookRule& rule, std::span<const float> values)
+{
+    Mark worst = Mark::None;
+    forMarkedValues(rule, values, [&](float value, float most) {
+        worst = std::max(worst, markOf(value, most));
+    });
     return worst;
 }
 
 } // namespace
+
+bool deserves(const LookRule& rule, std::span<const float> values, Mark mark)
+{
+    bool does = false;
+    forMarkedValues(
+        rule, values, [&](float value, float most) { does = does || markOf(value, most) == mark; });
+    return does;
+}
+
+float numberOf(const LookRule& rule, std::span<const float> values)
+{
+    const bool isSum = rule.kind == LookRule::Kind::Colors ? values.size() >= 3
+                                                           : rule.number == LookRule::kLuminance;
+    return isSum ? luminance(values[0], values[1], values[2])
+                 : values[rule.kind == LookRule::Kind::Colors
+                              ? 0
+                              : static_cast<std::size_t>(rule.number)];
+}
 
 Mark markOf(const TexelFormat& format, std::span<const float> values, const Look& look)
 {
@@ -145,9 +173,7 @@ Rgba shade(const LookRule& rule, std::span<const float> values)
                 toByte(position(values[2 * second])),
                 opacity};
     }
-    const float number = rule.number == LookRule::kLuminance
-                             ? luminance(values[0], values[1], values[2])
-                             : values[static_cast<std::size_t>(rule.number)];
+    const float number = numberOf(rule, values);
     if (rule.kind == LookRule::Kind::Grey) {
         const std::uint8_t grey = toByte(position(number));
         return {grey, grey, grey, 255};

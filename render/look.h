@@ -91,6 +91,14 @@ inline float luminance(float red, float green, float blue)
 /// \param values  one a channel of the format (checked)
 Mark markOf(const TexelFormat& format, std::span<const float> values, const Look& look);
 
+/// Whether any channel shown deserves a mark, whatever worse ones it deserves.
+/// \param values  one a channel of the format that the rule was made for
+bool deserves(const LookRule& rule, std::span<const float> values, Mark mark);
+
+/// The number that a rule shows of a texel; of colours their luminance, of one or two channels the
+/// first.
+float numberOf(const LookRule& rule, std::span<const float> values);
+
 /// Screen colour of a texel: one or two channels as grey, of more the first three; with the
 /// format's opacity, but where one number is shown. NaN is black without marks, and of no colour of
 /// the scale in false colour. For many texels make a `TexelShader`.

@@ -78,6 +78,24 @@ void Renderer::setTexels(const TexelStore& store, int mipDrop)
     const std::size_t most = std::min<std::size_t>(TextureBuffer::maxElements(*m_gl),
                                                    std::numeric_limits<std::int32_t>::max());
     m_texels.reset(store, mipDrop, static_cast<std::uint32_t>(most));
+    m_format = store.format();
+    applyLook();
+}
+
+void Renderer::setLook(const Look& look)
+{
+    m_look = look;
+    applyLook();
+}
+
+void Renderer::applyLook()
+{
+    m_cardLook.rule = LookRule::of(m_format, m_look);
+    const CardChannels channels = channelsFor(m_format, m_cardLook.rule);
+    m_texels.showChannels(channels);
+    const auto number = std::ranges::find(channels, m_cardLook.rule.number);
+    m_cardLook.component =
+        number == channels.end() ? 0 : static_cast<int>(number - channels.begin());
 }
 
 void Renderer::touchTexels(const TexelStore& store, std::span<const TouchedRect> rects)
@@ -112,7 +130,7 @@ void Renderer::draw(const Scene& scene)
     m_gl->glClear(GL_DEPTH_BUFFER_BIT);
     m_gl->glBindVertexArray(m_vertexArray);
     drawBackground();
-    m_surface->draw(scene.camera, scene.surface);
+    m_surface->draw(scene.camera, scene.surface, m_cardLook);
     m_gl->glBindVertexArray(m_vertexArray);
     m_picture->draw();
     m_gl->glBindVertexArray(0);

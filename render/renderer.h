@@ -47,6 +47,10 @@ public:
     std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);
     const DisplayTexels& texels() const { return m_texels; }
 
+    /// How texels are looked at from now on. A channel that is not on the card is sent over the
+    /// frames to come; see `uploadTexels`.
+    void setLook(const Look& look);
+
     /// A picture laid over the surface and under the lines; see `PicturePass`.
     PicturePass& picture() { return *m_picture; }
 
@@ -63,6 +67,7 @@ private:
              std::unique_ptr<PicturePass> picture,
              std::unique_ptr<OverlayPass> overlay);
     void drawBackground();
+    void applyLook();
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
@@ -71,6 +76,9 @@ private:
     std::unique_ptr<OverlayPass> m_overlay;
     GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
     DisplayTexels m_texels;
+    TexelFormat m_format;
+    Look m_look;
+    CardLook m_cardLook;
     std::size_t m_faceCount = 0;
 };
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/surface_pass.h"
 
+#include <QVector3D>
+
+#include "render/color_map.h"
 #include "render/matrices.h"
 
 #include <algorithm>
@@ -12,25 +15,69 @@ namespace {
 
 std::unique_ptr<TextureBuffer> texelBuffer(Gl& gl, DisplayFormat format)
 {
+    constexpr std::array<GLenum, 4> kFormats{GL_RGBA8, GL_RGBA16, GL_RGBA16F, GL_RGBA32F};
     return std::make_unique<TextureBuffer>(
-        gl, format == DisplayFormat::Rgba8 ? GL_RGBA8 : GL_RGBA16F, texelBytes(format));
+        gl, kFormats[static_cast<std::size_t>(format)], texelBytes(format));
 }
 
-std::size_t variantOf(const SurfaceStyle& style)
+/// As the shader's LOOK.
+constexpr std::size_t kAsTheyAre = 0;
+constexpr std::size_t kRanged = 1;
+constexpr std::size_t kNumber = 2;
+constexpr std::size_t kFalseColor = 3;
+constexpr std::size_t kFaceColors = 4;
+constexpr std::size_t kLookShift = 5; // of it in a variant
+
+std::size_t lookOf(const LookRule& rule)
 {
-    return (style.lit ? 1U : 0U) | (style.wireframe ? 2U : 0U) | (style.texelGrid ? 4U : 0U) |
-           (style.hasAlpha ? 8U : 0U) | (style.faceColors ? 16U : 0U);
+    switch (rule.kind) {
+    case LookRule::Kind::Colors:
+        return rule.black == 0 && rule.scale == 1 ? kAsTheyAre : kRanged;
+    case LookRule::Kind::Grey:
+        return kNumber;
+    case LookRule::Kind::FalseColor:
+        break;
+    }
+    return kFalseColor;
+}
+
+std::size_t variantOf(const SurfaceStyle& style, const LookRule& rule)
+{
+    const bool isOfTexels = !style.faceColors;
+    const std::size_t look = isOfTexels ? lookOf(rule) : kFaceColors;
+    // Light would turn the colours of the scale into others.
+    const bool isLit = style.lit && look != kFalseColor;
+    const bool hasAlpha = style.hasAlpha && look < kNumber && rule.opacity >= 0;
+    const bool hasMarks = rule.marks && isOfTexels;
+    return (isLit ? 1U : 0U) | (style.wireframe ? 2U : 0U) | (style.texelGrid ? 4U : 0U) |
+           (hasAlpha ? 8U : 0U) | (hasMarks ? 16U : 0U) | (look << kLookShift);
 }
 
 QByteArray definesOf(std::size_t variant)
 {
     QByteArray lines;
     std::size_t bit = 1;
-    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA", "FACE_COLORS"}) {
+    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA", "MARKS"}) {
         lines += QByteArray("#define ") + name + ((variant & bit) != 0 ? " 1\n" : " 0\n");
         bit *= 2;
     }
-    return lines;
+    const QByteArray look = QByteArray::number(static_cast<int>(variant >> kLookShift));
+    return lines + "#define LOOK " + look + "\n";
+}
+
+std::vector<Rgba> scaleColors()
+{
+    std::vector<Rgba> colors(kMapColors);
+    for (std::size_t k = 0; k < colors.size(); ++k) {
+        const Rgb color = mapColor(static_cast<double>(k) / static_cast<double>(kMapColors - 1));
+        colors[k] = {color[0], color[1], color[2], 255};
+    }
+    return colors;
+}
+
+QVector3D vectorOf(const Rgba& color)
+{
+    return QVector3D(color[0], color[1], color[2]) / 255.0F;
 }
 
 } // namespace
@@ -38,7 +85,7 @@ QByteArray definesOf(std::size_t variant)
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 {
     std::unique_ptr<SurfacePass> pass(new SurfacePass(gl));
-    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle())); !made) {
+    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle(), LookRule())); !made) {
         return tl::unexpected(made.error());
     }
     return pass;
@@ -51,7 +98,10 @@ SurfacePass::SurfacePass(Gl& gl)
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
     , m_records(gl, GL_RG32UI, sizeof(FaceRecord))
     , m_faceColors(gl, GL_RGBA8, sizeof(std::uint32_t))
+    , m_scale(gl, GL_RGBA8, sizeof(Rgba))
 {
+    const std::vector<Rgba> colors = scaleColors();
+    m_scale.fill(std::as_bytes(std::span(colors)));
 }
 
 Status SurfacePass::makeProgram(std::size_t variant)
@@ -69,6 +119,13 @@ Status SurfacePass::makeProgram(std::size_t variant)
     program.setUniformValue("records", 3);
     program.setUniformValue("texels", 4);
     program.setUniformValue("faceColors", 5);
+    program.setUniformValue("scaleColors", 6);
+    const std::array<QVector3D, 5> marks{QVector3D(),
+                                         vectorOf(markColor(Mark::Clipped)),
+                                         vectorOf(markColor(Mark::Negative)),
+                                         vectorOf(markColor(Mark::Infinite)),
+                                         vectorOf(markColor(Mark::NotANumber))};
+    program.setUniformValueArray("markColors", marks.data(), static_cast<int>(marks.size()));
     program.release();
     m_programs[variant] = std::move(*made);
     return {};
@@ -139,7 +196,16 @@ void SurfacePass::upload(const DisplayUpdate& update,
     }
 }
 
-void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
+void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
+{
+    const LookRule& rule = look.rule;
+    program.setUniformValue("black", rule.black);
+    program.setUniformValue("scale", rule.scale);
+    program.setUniformValue("most", rule.most);
+    program.setUniformValue("component", rule.number == LookRule::kLuminance ? -1 : look.component);
+}
+
+void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style, const CardLook& look)
 {
     if (m_faceCount == 0 || !m_texels || m_texels->size() == 0) {
         return;
@@ -147,7 +213,7 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
     // The same source has compiled for another style: failing here is for lack of memory at most.
     SurfaceStyle possible = style;
     possible.faceColors = style.faceColors && m_faceColors.size() > 0;
-    const std::size_t variant = variantOf(possible);
+    const std::size_t variant = variantOf(possible, look.rule);
     if (!m_programs[variant] && !makeProgram(variant)) {
         return;
     }
@@ -159,6 +225,8 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style)
     m_records.bind(3);
     m_texels->bind(4);
     m_faceColors.bind(5);
+    m_scale.bind(6);
+    setLook(program, look);
     program.setUniformValue("view", toQt(camera.view()));
     program.setUniformValue("projection", toQt(camera.projection()));
     program.setUniformValue("hasNormals", m_normals.size() > 0);

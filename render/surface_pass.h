@@ -6,6 +6,7 @@
 #include "render/camera.h"
 #include "render/display_texels.h"
 #include "render/gl.h"
+#include "render/look.h"
 #include "render/program.h"
 #include "render/texture_buffer.h"
 
@@ -27,6 +28,13 @@ struct SurfaceStyle
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
 
+/// How the texels on the card are looked at.
+struct CardLook
+{
+    LookRule rule;
+    int component = 0; ///< of the four on the card, where the rule's number is one channel
+};
+
 /// Draws a mesh with its texels, in one call. Memory on the card: 12 bytes a mesh vertex and 32 a
 /// face (three vertex numbers, three packed normals, one record), and the texels.
 class SurfacePass
@@ -46,17 +54,18 @@ public:
     /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
     void setFaceColors(std::span<const std::uint32_t> colors);
 
-    void draw(const Camera& camera, const SurfaceStyle& style);
+    void draw(const Camera& camera, const SurfaceStyle& style, const CardLook& look = {});
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();
 
 private:
-    static constexpr std::size_t kVariants = 32;
+    static constexpr std::size_t kVariants = 160;
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);
     Status makeProgram(std::size_t variant);
+    static void setLook(QOpenGLShaderProgram& program, const CardLook& look);
 
     Gl& m_gl;
     std::array<Program, kVariants> m_programs; ///< one a way of drawing, made when first used
@@ -65,6 +74,7 @@ private:
     TextureBuffer m_normals;
     TextureBuffer m_records;
     TextureBuffer m_faceColors;
+    TextureBuffer m_scale; ///< the colours of `mapColor`
     std::unique_ptr<TextureBuffer> m_texels;
     DisplayFormat m_format = DisplayFormat::Rgba8;
     std::size_t m_faceCount = 0;

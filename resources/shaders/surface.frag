@@ -1,10 +1,18 @@
 #version 410 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LIT, WIREFRAME, TEXEL_GRID, ALPHA and FACE_COLORS are defined as 0 or 1: a program for each way of drawing,
-// because a processor that draws runs both sides of every branch.
+// LIT, WIREFRAME, TEXEL_GRID, ALPHA and MARKS are defined as 0 or 1, LOOK as 0 to 4: a program for
+// each way of drawing, because a processor that draws runs both sides of every branch.
+// LOOK is 0 for values as they are, 1 for colours in a range, 2 for a number as grey, 3 for a number
+// in false colour: what render/look.cpp does on the processor; and 4 for a colour a face.
 uniform samplerBuffer texels;
-uniform samplerBuffer faceColors; // one a face
+uniform samplerBuffer faceColors;  // one a face
+uniform samplerBuffer scaleColors; // of false colour
+uniform vec3 markColors[5];        // by the kind of mark
+uniform float black;               // a value is shown at (value - black) * scale
+uniform float scale;
+uniform float most;    // larger values are clipped
+uniform int component; // that is the number, or -1 for the luminance
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
 
@@ -36,20 +44,86 @@ int texelIndex(vec2 p, int resolution)
                  : cell.x + cell.y * resolution;
 }
 
-vec4 texelAt(vec2 p, int resolution)
+// What a texel shows: a colour and opacity, or the place of a number on its scale in x, -1 where
+// that is NaN; and what mark it deserves, worse ones being greater.
+struct Shown
 {
-    return clamp(texelFetch(texels, int(record.x) + texelIndex(p, resolution)), 0.0, 1.0);
+    vec4 parts;
+    float mark;
+};
+
+// By their bits, because compilers take it that no number is NaN.
+uint magnitude(float x)
+{
+    return floatBitsToUint(x) & 0x7fffffffu;
+}
+
+const uint kInfinite = 0x7f800000u;
+
+float markOf(float x, float limit)
+{
+    uint bits = magnitude(x);
+    return bits > kInfinite ? 4.0 : bits == kInfinite ? 3.0 : x < 0.0 ? 2.0 : x > limit ? 1.0 : 0.0;
+}
+
+float markOf(vec4 texel)
+{
+    if (LOOK >= 2 && component >= 0) {
+        return markOf(texel[component], most);
+    }
+    float mark = max(markOf(texel.r, most), max(markOf(texel.g, most), markOf(texel.b, most)));
+    return ALPHA == 1 ? max(mark, markOf(texel.a, 1.0)) : mark;
+}
+
+// Into [0, 1]; NaN becomes 0.
+float inside(float x)
+{
+    return magnitude(x) > kInfinite ? 0.0 : clamp(x, 0.0, 1.0);
+}
+
+vec4 inside(vec4 x)
+{
+    return vec4(inside(x.r), inside(x.g), inside(x.b), inside(x.a));
+}
+
+float numberOf(vec4 texel)
+{
+    return component >= 0 ? texel[component]
+                          : 0.2126 * texel.r + 0.7152 * texel.g + 0.0722 * texel.b;
+}
+
+Shown shownOf(vec4 texel)
+{
+    Shown result;
+    result.mark = MARKS == 1 ? markOf(texel) : 0.0;
+    if (LOOK <= 1) {
+        vec3 parts = LOOK == 1 ? (texel.rgb - black) * scale : texel.rgb;
+        result.parts = inside(vec4(parts, texel.a));
+    } else {
+        float place = (numberOf(texel) - black) * scale;
+        bool isNone = LOOK == 3 && magnitude(place) > kInfinite;
+        result.parts = vec4(isNone ? -1.0 : inside(place), 0.0, 0.0, 1.0);
+    }
+    return result;
+}
+
+Shown texelAt(vec2 p, int resolution)
+{
+    return shownOf(texelFetch(texels, int(record.x) + texelIndex(p, resolution)));
+}
+
+Shown both(Shown a, Shown b)
+{
+    bool isNone = LOOK == 3 && min(a.parts.x, b.parts.x) < 0.0;
+    return Shown(isNone ? vec4(-1.0) : a.parts + b.parts, max(a.mark, b.mark));
 }
 
 // The texel under the pixel; where a pixel spans several, the mean of four places within it, which
 // calms what a single one would let flicker.
-vec4 texelColor(int resolution)
+Shown shownTexel(int resolution)
 {
-    if ((record.y & kPending) != 0u) {
-        return vec4(kPendingColor, 1.0);
-    }
     if ((record.y & kConstant) != 0u) {
-        return clamp(texelFetch(texels, int(record.x)), 0.0, 1.0);
+        return shownOf(texelFetch(texels, int(record.x)));
     }
     vec2 p = uv * float(resolution);
     vec2 alongX = dFdx(p);
@@ -59,9 +133,36 @@ vec4 texelColor(int resolution)
     }
     vec2 a = 0.125 * alongX + 0.375 * alongY;
     vec2 b = 0.375 * alongX - 0.125 * alongY;
-    return 0.25
-           * (texelAt(p + a, resolution) + texelAt(p - a, resolution) + texelAt(p + b, resolution)
-              + texelAt(p - b, resolution));
+    Shown sum = both(both(texelAt(p + a, resolution), texelAt(p - a, resolution)),
+                     both(texelAt(p + b, resolution), texelAt(p - b, resolution)));
+    sum.parts *= 0.25;
+    return sum;
+}
+
+const vec3 kNoNumber = vec3(255.0, 0.0, 170.0) / 255.0;
+
+vec3 scaleColor(float place)
+{
+    int last = textureSize(scaleColors) - 1;
+    return place < 0.0 ? kNoNumber
+                       : texelFetch(scaleColors, int(place * float(last) + 0.5)).rgb;
+}
+
+// The pattern of a mark: `hasInk` in render/look.h.
+bool hasInk(int mark)
+{
+    // From the lower left, so that what rises there falls here.
+    ivec2 p = ivec2(floor(gl_FragCoord.xy / lineWidth));
+    if (mark == 4) {
+        return (((p.x >> 2) + (p.y >> 2)) & 1) != 0;
+    }
+    int along = mark == 3 ? p.y : mark == 2 ? p.x + p.y : p.x - p.y;
+    return (along & 7) < 3;
+}
+
+vec3 markColor(int mark)
+{
+    return hasInk(mark) ? vec3(0.0) : markColors[mark];
 }
 
 // A screen-fixed checker behind what is not opaque.
@@ -114,15 +215,27 @@ void main()
     vec3 bary = vec3(uv, 1.0 - uv.x - uv.y);
     vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));
 
-    vec4 texel =
-        FACE_COLORS == 1 ? texelFetch(faceColors, gl_PrimitiveID) : texelColor(resolution);
-    vec3 own = ALPHA == 1 ? overChecker(texel) : texel.rgb;
+    Shown texel = Shown(vec4(0.0, 0.0, 0.0, 1.0), 0.0);
+    vec3 own = kPendingColor;
+    if (LOOK == 4) {
+        own = texelFetch(faceColors, gl_PrimitiveID).rgb;
+    } else if ((record.y & kPending) == 0u) {
+        texel = shownTexel(resolution);
+        own = LOOK == 3   ? scaleColor(texel.parts.x)
+              : LOOK == 2 ? texel.parts.xxx
+              : ALPHA == 1 ? overChecker(texel.parts)
+                           : texel.parts.rgb;
+    }
     vec3 shown = own;
     if (LIT == 1) {
         shown = shade(shown, shadingNormal());
     }
-    if (FACE_COLORS == 0 && !gl_FrontFacing) {
+    if (LOOK < 3 && !gl_FrontFacing) {
         shown *= 0.72;
+    }
+    if (MARKS == 1 && texel.mark > 0.0) {
+        own = markColor(int(texel.mark));
+        shown = own;
     }
     if (TEXEL_GRID == 1) {
         vec3 p = bary * float(resolution);

@@ -392,17 +392,54 @@ TEST(DisplayConversion, fewChannelsAreGreyAndTheOpacityChannelIsKept)
     EXPECT_EQ(shown({UInt8, 3, {}}, {7, 9, 11}), bytesOf({7, 9, 11, 255}));
     EXPECT_EQ(shown({UInt8, 4, 3}, {7, 9, 11, 13}), bytesOf({7, 9, 11, 13}));
     EXPECT_EQ(shown({UInt8, 5, {}}, {1, 2, 3, 4, 5}), bytesOf({1, 2, 3, 255}));
-    EXPECT_EQ(shown({UInt16, 3, {}}, {255, 255, 0, 128, 128, 0}), bytesOf({255, 128, 0, 255}));
+    EXPECT_EQ(shown({UInt16, 3, {}}, {255, 254, 0, 128, 127, 0}),
+              bytesOf({255, 254, 0, 128, 127, 0, 255, 255}));
+    EXPECT_EQ(shown({Half, 1, {}}, {1, 2}), bytesOf({1, 2, 1, 2, 1, 2, 0, 0x3c}));
 }
 
-TEST(DisplayConversion, floatsBecomeFiniteHalves)
+TEST(DisplayConversion, floatsArriveToTheBit)
 {
-    const std::vector<float> values{0.5F, -2.0F, 1e30F, std::numeric_limits<float>::quiet_NaN()};
+    const std::vector<std::uint32_t> bits{0x3f000000U, 0x7fc01234U, 0xff800000U, 0x7149f2caU};
     std::vector<std::byte> out;
-    appendShown({TexelType::Float, 4, 3}, std::as_bytes(std::span(values)), out);
-    std::vector<float> shown(4);
-    decode(TexelType::Half, out, shown);
-    EXPECT_EQ(shown, (std::vector<float>{0.5F, -2.0F, 65504.0F, 0.0F}));
+    appendShown({TexelType::Float, 4, 3}, std::as_bytes(std::span(bits)), out);
+    EXPECT_TRUE(std::ranges::equal(out, std::as_bytes(std::span(bits))));
+}
+
+TEST(DisplayConversion, anIsolatedChannelIsSentOnlyWhereTheUsualOnesLackIt)
+{
+    const TexelFormat six{TexelType::UInt8, 6, std::uint16_t{4}};
+    const auto channels = [&](std::optional<std::uint16_t> channel) {
+        Look look;
+        look.channel = channel;
+        return channelsFor(six, LookRule::of(six, look));
+    };
+    EXPECT_EQ(channels({}), (CardChannels{0, 1, 2, 4}));
+    EXPECT_EQ(channels(2), (CardChannels{0, 1, 2, 4}));
+    EXPECT_EQ(channels(4), (CardChannels{0, 1, 2, 4}));
+    EXPECT_EQ(channels(3), (CardChannels{3, 3, 3, -1}));
+    std::vector<std::byte> out;
+    appendShown(six, channels(5), bytesOf({1, 2, 3, 4, 5, 6}), out);
+    EXPECT_EQ(out, bytesOf({6, 6, 6, 255}));
+}
+
+TEST(DisplayTexels, otherChannelsAreSentForEveryFace)
+{
+    const TexelFormat five{TexelType::UInt8, 5, {}};
+    TexelStore store(3, five, Level(1), bytesOf({1, 2, 3, 4, 5}));
+    std::ranges::fill(store.writable(faceId(1)), std::byte{9});
+    DisplayTexels display;
+    Card card;
+    display.reset(store, 0, kMuch);
+    card.apply(display, display.take(store, kAll));
+    display.showChannels({0, 1, 2, -1}); // as it is
+    EXPECT_FALSE(display.hasWork());
+    display.showChannels({4, 4, 4, -1});
+    EXPECT_TRUE(display.hasWork());
+    card.apply(display, display.take(store, kAll));
+    EXPECT_TRUE(std::ranges::equal(card.shown(faceId(2), 3, 4), bytesOf({5, 5, 5, 255})));
+    EXPECT_TRUE(std::ranges::equal(card.shown(faceId(1), 3, 4), bytesOf({9, 9, 9, 255})));
+    display.reset(store, 0, kMuch);
+    EXPECT_EQ(display.channels(), (CardChannels{0, 1, 2, -1}));
 }
 
 TEST(DisplayConversion, manyTexelsConvertLikeOneByOne)

@@ -42,12 +42,6 @@ std::uint32_t opaque(render::Rgb color)
         std::array<std::uint8_t, 4>{color[0], color[1], color[2], 255});
 }
 
-/// A value of the texture as a colour of the screen.
-std::uint8_t shown(float value)
-{
-    return static_cast<std::uint8_t>(value > 0 ? std::min(value, 1.0F) * 255 + 0.5F : 0);
-}
-
 /// What a run of queries comes to.
 struct Answers
 {
@@ -104,14 +98,18 @@ private:
         const int channels = m_work.scene->channels();
         ResultArrays results(queries.size(), channels);
         filterParallel(*m_method, *m_work.scene, queries, results.results(), Threads::all());
-        // One or two channels are a grey.
-        const std::size_t green = channels >= 3 ? queries.size() : 0;
+        // What is filtered lies over what is not: it has to be opaque.
+        render::Look look = m_work.look;
+        look.opaque = true;
+        const render::LookRule rule = render::LookRule::of(m_work.format, look);
         Answers answers;
         answers.colors.reserve(queries.size());
+        std::vector<float> texel(static_cast<std::size_t>(channels));
         for (std::size_t i = 0; i < queries.size(); ++i) {
-            answers.colors.push_back(opaque({shown(results.values[i]),
-                                             shown(results.values[i + green]),
-                                             shown(results.values[i + 2 * green])}));
+            for (std::size_t c = 0; c < texel.size(); ++c) {
+                texel[c] = results.values[i + c * queries.size()];
+            }
+            answers.colors.push_back(std::bit_cast<std::uint32_t>(render::shade(rule, texel)));
         }
         return answers;
     }

@@ -21,7 +21,9 @@ struct MapWork
     std::shared_ptr<const Surface> surface;
     std::shared_ptr<const FilterScene> scene; ///< not needed for Condition
     MethodChoice method;
-    double range = 0; ///< of the values
+    double range = 0;   ///< of the values
+    TexelFormat format; ///< this and the look for Filtered alone
+    render::Look look;
 };
 
 /// Some rows of the picture, which take the place of those computed before.

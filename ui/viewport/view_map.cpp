@@ -60,6 +60,11 @@ ViewMap::ViewMap(const Document& document,
         }
     });
     connect(&m_faceWatcher, &QFutureWatcherBase::finished, this, &ViewMap::takeFaces);
+    connect(&settings, &ViewSettings::lookChanged, this, [this] {
+        if (m_map == ViewMapKind::Filtered) {
+            restart();
+        }
+    });
     connect(&viewport, &Viewport::cameraChanged, this, [this] {
         m_legend->place();
         if (!isOfFaces(m_map)) {
@@ -212,6 +217,8 @@ void ViewMap::beginPixels()
     work.camera = render::viewOf(m_viewport.camera());
     work.surface = m_document.surface();
     work.method = m_settings.method();
+    work.format = m_document.texels().format();
+    work.look = m_settings.look();
     if (readsTexels(m_map)) {
         work.scene = m_source.scene();
         work.range = m_source.valueRange();
@@ -299,7 +306,9 @@ QString ViewMap::title() const
             : QString();
     switch (m_map) {
     case ViewMapKind::Filtered:
-        return tr("Every pixel filtered by %1, unlit; 0 is black, 1 is full").arg(name);
+        return m_settings.look() == render::Look()
+                   ? tr("Every pixel filtered by %1, unlit; 0 is black, 1 is full").arg(name)
+                   : tr("Every pixel filtered by %1, unlit, seen through the look").arg(name);
     case ViewMapKind::Condition:
         return tr("Condition of each pixel's footprint: its ellipse's length over its width");
     case ViewMapKind::Error:

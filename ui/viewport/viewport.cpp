@@ -92,6 +92,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&document, &Document::opened, this, [this] { d->takeSurface(); });
     connect(&document, &Document::changed, this, [this](const Change& c) { d->takeChange(c); });
     connect(&settings, &ViewSettings::viewChanged, this, [this] { d->takeView(); });
+    connect(&settings, &ViewSettings::lookChanged, this, [this] { d->takeLook(); });
     connect(&settings, &ViewSettings::brushChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });

@@ -57,6 +57,7 @@ public:
     void takeSurface();
     void takeChange(const Change& change);
     void takeView();
+    void takeLook();
     /// The texels that are shown.
     const TexelStore& texels() const { return otherTexels ? *otherTexels : document.texels(); }
     void setOtherTexels(std::optional<TexelStore> others);

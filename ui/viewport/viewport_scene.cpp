@@ -97,6 +97,14 @@ void Viewport::Private::takeView()
     redraw();
 }
 
+void Viewport::Private::takeLook()
+{
+    if (renderer) {
+        renderer->setLook(settings.look());
+    }
+    redraw();
+}
+
 void Viewport::Private::makeCanvas()
 {
     const auto format = usableFormat();
@@ -119,6 +127,7 @@ void Viewport::Private::makeRenderer()
         return;
     }
     renderer = std::move(*made);
+    renderer->setLook(settings.look());
     meshDirty = true;
     texelsDirty = true;
 }
