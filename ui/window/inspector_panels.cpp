@@ -6,6 +6,8 @@
 #include <QMenu>
 
 #include "ui/inspector/layout_panel.h"
+#include "ui/look/look_overlay.h"
+#include "ui/look/look_panel.h"
 #include "ui/window/panel_frames.h"
 #include "ui/window/workspace.h"
 
@@ -13,7 +15,9 @@ namespace trixel::ui {
 
 InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frames, QObject* parent)
     : QObject(parent)
+    , m_look(new LookPanel(work.document, work.settings, work.inspection))
 {
+    makeLook(work, frames);
     makeLayout(work, frames);
 }
 
@@ -21,6 +25,17 @@ void InspectorPanels::fillMenu(QMenu& menu) const
 {
     QMenu* layout = menu.addMenu(tr("Texel La&yout"));
     layout->addActions(m_layout->switches());
+}
+
+void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
+{
+    QDockWidget* look = frames.beside("lookPanel", tr("Look"), m_look, {Qt::SHIFT | Qt::Key_F2});
+    connect(look, &QDockWidget::visibilityChanged, m_look, &LookPanel::setSeen);
+    // One of the two is wanted at a time: the brush to paint, the look to see.
+    auto* brush = work.window.findChild<QDockWidget*>("brushPanel");
+    work.window.tabifyDockWidget(brush, look);
+    brush->raise();
+    new LookOverlay(work.document, work.settings, work.viewport);
 }
 
 void InspectorPanels::makeLayout(const Workspace& work, const PanelFrames& frames)

@@ -8,6 +8,7 @@ class QMenu;
 namespace trixel::ui {
 
 class LayoutPanel;
+class LookPanel;
 class PanelFrames;
 struct Workspace;
 
@@ -20,13 +21,16 @@ class InspectorPanels : public QObject
 public:
     InspectorPanels(const Workspace& work, const PanelFrames& frames, QObject* parent);
 
+    LookPanel& look() const { return *m_look; }
     LayoutPanel& layout() const { return *m_layout; }
     /// What is switched in the panels, so that the command palette finds it.
     void fillMenu(QMenu& menu) const;
 
 private:
+    void makeLook(const Workspace& work, const PanelFrames& frames);
     void makeLayout(const Workspace& work, const PanelFrames& frames);
 
+    LookPanel* m_look;
     LayoutPanel* m_layout = nullptr;
 };
 

@@ -27,6 +27,7 @@
 #include "ui/window/inspector_panels.h"
 #include "ui/window/job_bar.h"
 #include "ui/window/level_actions.h"
+#include "ui/window/look_actions.h"
 #include "ui/window/map_actions.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_actions.h"
@@ -163,6 +164,7 @@ void MainWindow::makeMenus()
     m_mapActions = new MapActions(m_settings, *this);
     m_inspectActions =
         new InspectActions(m_document, m_inspection, *m_viewport, m_panels->readout(), *this);
+    m_lookActions = new LookActions(m_document, m_settings, m_inspectors->look(), *this);
 
     m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -188,6 +190,7 @@ void MainWindow::makeMenus()
     m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
     m_mapActions->fillMenu(*view);
+    m_lookActions->fillMenu(*view);
     view->addSeparator();
     m_inspectors->fillMenu(*view);
     m_panelActions->fillMenu(*view);

@@ -23,6 +23,7 @@ class FileActions;
 class InspectActions;
 class InspectorPanels;
 class LevelActions;
+class LookActions;
 class MapActions;
 class MessageBar;
 class PanelActions;
@@ -102,6 +103,7 @@ private:
     ViewActions* m_viewActions = nullptr;
     MapActions* m_mapActions = nullptr;
     InspectActions* m_inspectActions = nullptr;
+    LookActions* m_lookActions = nullptr;
     PanelActions* m_panelActions = nullptr;
     std::uint64_t m_texelsSeen = 0; ///< the document's texels when its history last moved
     bool m_mayClose = false;
