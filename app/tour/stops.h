@@ -36,6 +36,7 @@ public:
     Status bookmarkedViews();
     Status conditionMap();
     Status errorMap();
+    Status falseColours();
     Status seamMeter();
     Status sweptHazards();
 

@@ -58,6 +58,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::bookmarkedViews,
                             &Stops::conditionMap,
                             &Stops::errorMap,
+                            &Stops::falseColours,
                             &Stops::seamMeter,
                             &Stops::newProject,
                             &Stops::exportedTexture,

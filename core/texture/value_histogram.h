@@ -85,8 +85,8 @@ struct TexelNumber
     bool operator==(const TexelNumber&) const = default;
 };
 
-/// Counts the values of several numbers over all texels. Time: about 1 ns a texel and number on one
-/// core, constant faces as one texel. Fails only when cancelled.
+/// Counts the values of several numbers over all texels. Time on one core: 0.7 ns a texel and number
+/// of bytes, 3.5 ns of floats, constant faces as one texel. Fails only when cancelled.
 /// \param numbers  channels that the format has (checked), sums of three or more (checked)
 /// \return         a histogram for each
 Result<std::vector<ValueHistogram>> countValues(const TexelStore& store,
