@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScrollArea>
 
 #include "ui/inspector/layout_panel.h"
 #include "ui/look/look_overlay.h"
@@ -29,7 +30,13 @@ void InspectorPanels::fillMenu(QMenu& menu) const
 
 void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
 {
-    QDockWidget* look = frames.beside("lookPanel", tr("Look"), m_look, {Qt::SHIFT | Qt::Key_F2});
+    auto* scroll = new QScrollArea; // a low window need not grow for it
+    scroll->setWidget(m_look);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    QDockWidget* look = frames.beside("lookPanel", tr("Look"), scroll, {Qt::SHIFT | Qt::Key_F2});
     connect(look, &QDockWidget::visibilityChanged, m_look, &LookPanel::setSeen);
     // One of the two is wanted at a time: the brush to paint, the look to see.
     auto* brush = work.window.findChild<QDockWidget*>("brushPanel");
