@@ -23,9 +23,13 @@ Result<std::unique_ptr<Renderer>> Renderer::create()
     if (!surface) {
         return tl::unexpected(surface.error());
     }
-    auto picture = PicturePass::create(*gl);
-    if (!picture) {
-        return tl::unexpected(picture.error());
+    std::array<std::unique_ptr<PicturePass>, 2> pictures;
+    for (std::unique_ptr<PicturePass>& picture : pictures) {
+        auto made = PicturePass::create(*gl);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        picture = std::move(*made);
     }
     auto overlay = OverlayPass::create(*gl);
     if (!overlay) {
@@ -34,20 +38,21 @@ Result<std::unique_ptr<Renderer>> Renderer::create()
     return std::unique_ptr<Renderer>(new Renderer(std::move(gl),
                                                   std::move(*background),
                                                   std::move(*surface),
-                                                  std::move(*picture),
+                                                  std::move(pictures),
                                                   std::move(*overlay)));
 }
 
 Renderer::Renderer(std::unique_ptr<Gl> gl,
                    std::unique_ptr<QOpenGLShaderProgram> background,
                    std::unique_ptr<SurfacePass> surface,
-                   std::unique_ptr<PicturePass> picture,
+                   std::array<std::unique_ptr<PicturePass>, 2> pictures,
                    std::unique_ptr<OverlayPass> overlay)
     : m_gl(std::move(gl))
     , m_background(std::move(background))
     , m_surface(std::move(surface))
-    , m_picture(std::move(picture))
+    , m_pictures(std::move(pictures))
     , m_overlay(std::move(overlay))
+    , m_layers{Layer{{}, SurfaceTexels(*m_gl)}, Layer{{}, SurfaceTexels(*m_gl)}}
 {
     m_gl->glGenVertexArrays(1, &m_vertexArray);
 }
@@ -62,24 +67,36 @@ Status Renderer::setMesh(const TriangleMesh& mesh)
     clear();
     Status status = m_surface->setMesh(mesh);
     m_faceCount = status ? mesh.faceCount() : 0;
+    for (Layer& layer : m_layers) {
+        layer.card.clear(m_faceCount);
+    }
     return status;
 }
 
 void Renderer::clear()
 {
     m_faceCount = 0;
-    m_texels = {};
+    for (Layer& layer : m_layers) {
+        layer.display = {};
+        layer.card.clear(0);
+    }
     (void)m_surface->setMesh({}); // an empty mesh always fits
 }
 
-void Renderer::setTexels(const TexelStore& store, int mipDrop)
+void Renderer::setTexels(const TexelStore& store, int mipDrop, Side side)
 {
     check(store.faceCount() == m_faceCount, "texels of this mesh");
     const std::size_t most = std::min<std::size_t>(TextureBuffer::maxElements(*m_gl),
                                                    std::numeric_limits<std::int32_t>::max());
-    m_texels.reset(store, mipDrop, static_cast<std::uint32_t>(most));
+    layer(side).display.reset(store, mipDrop, static_cast<std::uint32_t>(most));
     m_format = store.format();
     applyLook();
+}
+
+void Renderer::clearOtherTexels()
+{
+    layer(Side::B).display = {};
+    layer(Side::B).card.clear(m_faceCount);
 }
 
 void Renderer::setLook(const Look& look)
@@ -92,24 +109,27 @@ void Renderer::applyLook()
 {
     m_cardLook.rule = LookRule::of(m_format, m_look);
     const CardChannels channels = channelsFor(m_format, m_cardLook.rule);
-    m_texels.showChannels(channels);
+    for (Layer& layer : m_layers) {
+        layer.display.showChannels(channels);
+    }
     const auto number = std::ranges::find(channels, m_cardLook.rule.number);
     m_cardLook.component =
         number == channels.end() ? 0 : static_cast<int>(number - channels.begin());
 }
 
-void Renderer::touchTexels(const TexelStore& store, std::span<const TouchedRect> rects)
+void Renderer::touchTexels(const TexelStore& store, std::span<const TouchedRect> rects, Side side)
 {
-    m_texels.touch(store, rects);
+    layer(side).display.touch(store, rects);
 }
 
-std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudget)
+std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudget, Side side)
 {
-    if (!m_texels.hasWork()) {
+    Layer& sent = layer(side);
+    if (!sent.display.hasWork()) {
         return 0;
     }
-    const DisplayUpdate update = m_texels.take(store, byteBudget);
-    m_surface->upload(update, m_texels.records(), m_texels.format());
+    const DisplayUpdate update = sent.display.take(store, byteBudget);
+    sent.card.upload(update, sent.display.records(), sent.display.format());
     return update.bytes.size();
 }
 
@@ -122,6 +142,15 @@ void Renderer::drawBackground()
     m_background->release();
 }
 
+void Renderer::drawSide(const Scene& scene, Side texels, Side picture)
+{
+    m_gl->glBindVertexArray(m_vertexArray);
+    m_surface->draw(scene.camera, scene.surface, layer(texels).card, m_cardLook);
+    m_gl->glBindVertexArray(m_vertexArray);
+    this->picture(picture).draw();
+    m_gl->glBindVertexArray(0);
+}
+
 void Renderer::draw(const Scene& scene)
 {
     const glm::ivec2 size = scene.camera.viewport();
@@ -130,10 +159,18 @@ void Renderer::draw(const Scene& scene)
     m_gl->glClear(GL_DEPTH_BUFFER_BIT);
     m_gl->glBindVertexArray(m_vertexArray);
     drawBackground();
-    m_surface->draw(scene.camera, scene.surface, m_cardLook);
-    m_gl->glBindVertexArray(m_vertexArray);
-    m_picture->draw();
-    m_gl->glBindVertexArray(0);
+    if (scene.split) {
+        const Split& split = *scene.split;
+        const int column = std::clamp(split.column, 0, size.x);
+        m_gl->glEnable(GL_SCISSOR_TEST);
+        m_gl->glScissor(0, 0, column, size.y);
+        drawSide(scene, Side::A, Side::A);
+        m_gl->glScissor(column, 0, size.x - column, size.y);
+        drawSide(scene, split.ownTexels ? Side::B : Side::A, split.ownPicture ? Side::B : Side::A);
+        m_gl->glDisable(GL_SCISSOR_TEST);
+    } else {
+        drawSide(scene, Side::A, Side::A);
+    }
     m_overlay->draw(scene.camera, scene.overlays, scene.surface.pixelRatio);
 }
 

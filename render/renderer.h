@@ -5,9 +5,13 @@
 #include "render/camera.h"
 #include "render/overlay_pass.h"
 #include "render/picture_pass.h"
+#include "render/split.h"
 #include "render/surface_pass.h"
+#include "render/surface_texels.h"
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace trixel::render {
@@ -18,6 +22,7 @@ struct Scene
     Camera camera;
     SurfaceStyle surface;
     std::vector<Polyline> overlays;
+    std::optional<Split> split;
 };
 
 /// Owns all OpenGL objects. Made, used and destroyed with one context current. Holds nothing that
@@ -37,22 +42,32 @@ public:
     /// No mesh at all.
     void clear();
 
-    /// Shows a store of the mesh's faces from the beginning.
-    void setTexels(const TexelStore& store, int mipDrop);
-    void touchTexels(const TexelStore& store, std::span<const TouchedRect> rects);
+    /// Shows a store of the mesh's faces from the beginning. Side B has texels of its own only
+    /// where `Split` says so.
+    void setTexels(const TexelStore& store, int mipDrop, Side side = Side::A);
+    /// Gives up what B shows.
+    void clearOtherTexels();
+    void
+    touchTexels(const TexelStore& store, std::span<const TouchedRect> rects, Side side = Side::A);
     /// Every texel may have changed; what is shown stays until it is replaced.
-    void touchAllTexels() { m_texels.touchAll(); }
+    void touchAllTexels(Side side = Side::A) { layer(side).display.touchAll(); }
     /// Sends touched texels and, up to a budget of bytes, texels that have not been sent yet.
     /// \return bytes of texels sent
-    std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget);
-    const DisplayTexels& texels() const { return m_texels; }
+    std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
+    const DisplayTexels& texels(Side side = Side::A) const
+    {
+        return m_layers[static_cast<std::size_t>(side)].display;
+    }
 
     /// How texels are looked at from now on. A channel that is not on the card is sent over the
     /// frames to come; see `uploadTexels`.
     void setLook(const Look& look);
 
     /// A picture laid over the surface and under the lines; see `PicturePass`.
-    PicturePass& picture() { return *m_picture; }
+    PicturePass& picture(Side side = Side::A)
+    {
+        return *m_pictures[static_cast<std::size_t>(side)];
+    }
 
     /// Compiles every program at once instead of when it is first used; for tests.
     Status makeAllPrograms() { return m_surface->makeAllPrograms(); }
@@ -64,18 +79,27 @@ private:
     Renderer(std::unique_ptr<Gl> gl,
              std::unique_ptr<QOpenGLShaderProgram> background,
              std::unique_ptr<SurfacePass> surface,
-             std::unique_ptr<PicturePass> picture,
+             std::array<std::unique_ptr<PicturePass>, 2> pictures,
              std::unique_ptr<OverlayPass> overlay);
+
+    /// The texels of one side.
+    struct Layer
+    {
+        DisplayTexels display;
+        SurfaceTexels card;
+    };
+    Layer& layer(Side side) { return m_layers[static_cast<std::size_t>(side)]; }
     void drawBackground();
+    void drawSide(const Scene& scene, Side texels, Side picture);
     void applyLook();
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
     std::unique_ptr<SurfacePass> m_surface;
-    std::unique_ptr<PicturePass> m_picture;
+    std::array<std::unique_ptr<PicturePass>, 2> m_pictures;
     std::unique_ptr<OverlayPass> m_overlay;
     GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
-    DisplayTexels m_texels;
+    std::array<Layer, 2> m_layers;
     TexelFormat m_format;
     Look m_look;
     CardLook m_cardLook;

@@ -13,13 +13,6 @@ namespace trixel::render {
 
 namespace {
 
-std::unique_ptr<TextureBuffer> texelBuffer(Gl& gl, DisplayFormat format)
-{
-    constexpr std::array<GLenum, 4> kFormats{GL_RGBA8, GL_RGBA16, GL_RGBA16F, GL_RGBA32F};
-    return std::make_unique<TextureBuffer>(
-        gl, kFormats[static_cast<std::size_t>(format)], texelBytes(format));
-}
-
 /// As the shader's LOOK.
 constexpr std::size_t kAsTheyAre = 0;
 constexpr std::size_t kRanged = 1;
@@ -96,7 +89,6 @@ SurfacePass::SurfacePass(Gl& gl)
     , m_positions(gl, GL_RGB32F, sizeof(glm::vec3))
     , m_triangles(gl, GL_RGB32UI, sizeof(Triangle))
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
-    , m_records(gl, GL_RG32UI, sizeof(FaceRecord))
     , m_faceColors(gl, GL_RGBA8, sizeof(std::uint32_t))
     , m_scale(gl, GL_RGBA8, sizeof(Rgba))
 {
@@ -153,8 +145,6 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
     }
     m_positions.fill(std::as_bytes(std::span(mesh.positions)));
     m_triangles.fill(std::as_bytes(std::span(mesh.triangles)));
-    const std::vector<FaceRecord> pending(mesh.faceCount());
-    m_records.fill(std::as_bytes(std::span(pending)));
     m_faceCount = mesh.faceCount();
     return {};
 }
@@ -171,31 +161,6 @@ void SurfacePass::setFaceColors(std::span<const std::uint32_t> colors)
     m_faceColors.fill(std::as_bytes(colors));
 }
 
-void SurfacePass::upload(const DisplayUpdate& update,
-                         std::span<const FaceRecord> records,
-                         DisplayFormat format)
-{
-    if (!m_texels || m_format != format) {
-        m_texels = texelBuffer(m_gl, format);
-        m_format = format;
-    }
-    if (update.fresh) {
-        m_texels->allocate(update.capacity);
-        m_records.fill(std::as_bytes(records));
-    } else if (update.capacity > m_texels->size()) {
-        m_texels->grow(update.capacity);
-    }
-    std::span<const std::byte> bytes(update.bytes);
-    for (const DisplayUpdate::Range& range : update.texels) {
-        const std::size_t size = range.count * texelBytes(format);
-        m_texels->write(range.first, bytes.first(size));
-        bytes = bytes.subspan(size);
-    }
-    for (const DisplayUpdate::Range& range : update.records) {
-        m_records.write(range.first, std::as_bytes(records.subspan(range.first, range.count)));
-    }
-}
-
 void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
 {
     const LookRule& rule = look.rule;
@@ -205,9 +170,12 @@ void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
     program.setUniformValue("component", rule.number == LookRule::kLuminance ? -1 : look.component);
 }
 
-void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style, const CardLook& look)
+void SurfacePass::draw(const Camera& camera,
+                       const SurfaceStyle& style,
+                       SurfaceTexels& texels,
+                       const CardLook& look)
 {
-    if (m_faceCount == 0 || !m_texels || m_texels->size() == 0) {
+    if (m_faceCount == 0 || texels.isEmpty()) {
         return;
     }
     // The same source has compiled for another style: failing here is for lack of memory at most.
@@ -222,8 +190,7 @@ void SurfacePass::draw(const Camera& camera, const SurfaceStyle& style, const Ca
     m_positions.bind(0);
     m_triangles.bind(1);
     m_normals.bind(2);
-    m_records.bind(3);
-    m_texels->bind(4);
+    texels.bind(3, 4);
     m_faceColors.bind(5);
     m_scale.bind(6);
     setLook(program, look);

@@ -4,10 +4,10 @@
 #include "core/base/result.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/camera.h"
-#include "render/display_texels.h"
 #include "render/gl.h"
 #include "render/look.h"
 #include "render/program.h"
+#include "render/surface_texels.h"
 #include "render/texture_buffer.h"
 
 #include <array>
@@ -35,8 +35,8 @@ struct CardLook
     int component = 0; ///< of the four on the card, where the rule's number is one channel
 };
 
-/// Draws a mesh with its texels, in one call. Memory on the card: 12 bytes a mesh vertex and 32 a
-/// face (three vertex numbers, three packed normals, one record), and the texels.
+/// Draws a mesh with texels, in one call. Memory on the card: 12 bytes a mesh vertex and 24 a face
+/// (three vertex numbers, three packed normals), and what `SurfaceTexels` takes.
 class SurfacePass
 {
 public:
@@ -47,14 +47,14 @@ public:
     /// Three a face, see `cornerNormals`; until they come faces look flat.
     void setNormals(std::span<const std::uint32_t> normals);
 
-    /// Sends what an update holds. \param records  all of them, as they are now
-    void
-    upload(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);
-
     /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
     void setFaceColors(std::span<const std::uint32_t> colors);
 
-    void draw(const Camera& camera, const SurfaceStyle& style, const CardLook& look = {});
+    /// \param texels  of the mesh; nothing is drawn while they are empty
+    void draw(const Camera& camera,
+              const SurfaceStyle& style,
+              SurfaceTexels& texels,
+              const CardLook& look);
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();
@@ -72,11 +72,8 @@ private:
     TextureBuffer m_positions;
     TextureBuffer m_triangles;
     TextureBuffer m_normals;
-    TextureBuffer m_records;
     TextureBuffer m_faceColors;
     TextureBuffer m_scale; ///< the colours of `mapColor`
-    std::unique_ptr<TextureBuffer> m_texels;
-    DisplayFormat m_format = DisplayFormat::Rgba8;
     std::size_t m_faceCount = 0;
 };
 

@@ -37,6 +37,7 @@ public:
     Status conditionMap();
     Status errorMap();
     Status falseColours();
+    Status comparedFilters();
     Status seamMeter();
     Status sweptHazards();
 

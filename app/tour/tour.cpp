@@ -59,6 +59,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::conditionMap,
                             &Stops::errorMap,
                             &Stops::falseColours,
+                            &Stops::comparedFilters,
                             &Stops::seamMeter,
                             &Stops::newProject,
                             &Stops::exportedTexture,

@@ -8,6 +8,7 @@
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
 #include "ui/viewport/map_legend.h"
+#include "ui/viewport/method_title.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,15 +45,19 @@ ViewMap::ViewMap(const Document& document,
     , m_source(source)
     , m_viewport(viewport)
     , m_legend(new MapLegend(&viewport))
+    , m_pixels(viewport, render::Side::A, this)
+    , m_other(viewport, render::Side::B, this)
 {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &ViewMap::begin);
-    connect(&m_watcher, &QFutureWatcherBase::resultsReadyAt, this, [this](int first, int last) {
-        for (int k = first; k < last; ++k) {
-            takeBand(m_watcher.resultAt(k));
-        }
-    });
+    for (PixelMap* pixels : {&m_pixels, &m_other}) {
+        connect(pixels, &PixelMap::progressed, this, [this] {
+            showState();
+            showValue();
+            emit progressed();
+        });
+    }
     connect(&settings, &ViewSettings::viewChanged, this, &ViewMap::takeOptions);
     connect(&settings, &ViewSettings::methodChanged, this, [this] {
         if (readsTexels(m_map)) {
@@ -63,6 +68,14 @@ ViewMap::ViewMap(const Document& document,
     connect(&settings, &ViewSettings::lookChanged, this, [this] {
         if (m_map == ViewMapKind::Filtered) {
             restart();
+        }
+    });
+    connect(&settings, &ViewSettings::comparisonChanged, this, [this] {
+        const Comparison before = std::exchange(m_comparison, m_settings.comparison());
+        if (before.by != m_comparison.by || before.method != m_comparison.method) {
+            beginOther();
+            showLegend();
+            showState();
         }
     });
     connect(&viewport, &Viewport::cameraChanged, this, [this] {
@@ -103,9 +116,6 @@ ViewMap::ViewMap(const Document& document,
 
 ViewMap::~ViewMap()
 {
-    m_watcher.disconnect(this);
-    m_watcher.cancel();
-    m_watcher.waitForFinished();
     m_faceWatcher.disconnect(this);
     m_faceWatcher.waitForFinished();
 }
@@ -163,16 +173,29 @@ bool ViewMap::isReady() const
 
 void ViewMap::drop()
 {
-    m_watcher.cancel();
+    m_pixels.drop();
+    m_other.drop();
     m_faceWatcher.cancel();
-    m_completeStep = 0;
-    m_step = 0;
-    m_rows = 0;
-    m_values.clear();
-    m_viewport.clearPicture();
+    m_faceValues.clear();
     m_viewport.setFaceColors({});
     showValue();
     emit progressed();
+}
+
+int ViewMap::completeStep() const
+{
+    if (isOfFaces(m_map)) {
+        return m_faceValues.empty() ? 0 : 1;
+    }
+    const int pixels = m_pixels.completeStep();
+    const int other = m_other.completeStep();
+    return !hasOther() ? pixels : pixels == 0 || other == 0 ? 0 : std::max(pixels, other);
+}
+
+/// Whether B has a picture of its own.
+bool ViewMap::hasOther() const
+{
+    return m_map == ViewMapKind::Filtered && m_comparison.by == ComparedBy::Method;
 }
 
 void ViewMap::begin()
@@ -202,8 +225,7 @@ void ViewMap::takeFaces()
     }
     const FaceNumbers numbers = m_faceWatcher.result();
     m_viewport.setFaceColors(numbers.colors);
-    m_values = numbers.values;
-    m_completeStep = 1;
+    m_faceValues = numbers.values;
     m_legend->setMap(m_map, title(), numbers.scale);
     showState();
     showValue();
@@ -212,67 +234,45 @@ void ViewMap::takeFaces()
 
 void ViewMap::beginPixels()
 {
+    m_pixels.begin(workOf(m_settings.method()));
+    beginOther();
+    showState();
+}
+
+void ViewMap::beginOther()
+{
+    m_other.drop();
+    if (hasOther() && m_pixels.step() > 0) {
+        m_other.begin(workOf(m_comparison.method));
+    }
+}
+
+MapWork ViewMap::workOf(const MethodChoice& method) const
+{
     MapWork work;
     work.map = m_map;
     work.camera = render::viewOf(m_viewport.camera());
     work.surface = m_document.surface();
-    work.method = m_settings.method();
+    work.method = method;
     work.format = m_document.texels().format();
     work.look = m_settings.look();
     if (readsTexels(m_map)) {
         work.scene = m_source.scene();
         work.range = m_source.valueRange();
     }
-    m_size = {work.camera.width, work.camera.height};
-    if (m_map != ViewMapKind::Filtered) {
-        m_values.assign(static_cast<std::size_t>(m_size.width()) *
-                            static_cast<std::size_t>(m_size.height()),
-                        std::nanf(""));
-    }
-    m_step = kMapSteps[0];
-    m_watcher.setFuture(QtConcurrent::run(
-        [work = std::move(work)](QPromise<MapBand>& promise) { computeMap(promise, work); }));
-    showState();
-}
-
-void ViewMap::takeBand(const MapBand& band)
-{
-    if (m_watcher.isCanceled()) {
-        return; // of a view that is gone
-    }
-    const auto begin =
-        static_cast<std::ptrdiff_t>(band.firstRow) * static_cast<std::ptrdiff_t>(m_size.width());
-    std::ranges::copy(band.values, m_values.begin() + (band.values.empty() ? 0 : begin));
-    m_viewport.setPictureRows(band.pixels, m_size, band.firstRow);
-    m_step = band.step;
-    m_rows = band.firstRow + static_cast<int>(band.pixels.size()) / std::max(1, m_size.width());
-    if (band.endsPass) {
-        m_completeStep = band.step;
-    }
-    showState();
-    showValue();
-    emit progressed();
+    return work;
 }
 
 std::optional<float> ViewMap::valueAt(QPointF position) const
 {
-    if (m_values.empty()) {
-        return std::nullopt;
-    }
     if (isOfFaces(m_map)) {
-        const auto point = m_viewport.surfacePointAt(position);
-        return point ? toNumber(m_values[indexOf(point->face)]) : std::nullopt;
+        const auto point =
+            m_faceValues.empty() ? std::nullopt : m_viewport.surfacePointAt(position);
+        return point ? toNumber(m_faceValues[indexOf(point->face)]) : std::nullopt;
     }
     const double ratio = m_viewport.devicePixelRatioF();
-    const QPoint pixel(static_cast<int>(std::floor(position.x() * ratio)),
-                       static_cast<int>(std::floor(position.y() * ratio)));
-    if (!QRect(QPoint(), m_size).contains(pixel)) {
-        return std::nullopt;
-    }
-    const float value =
-        m_values[static_cast<std::size_t>(pixel.x()) +
-                 static_cast<std::size_t>(pixel.y()) * static_cast<std::size_t>(m_size.width())];
-    return toNumber(value);
+    return m_pixels.valueAt({static_cast<int>(std::floor(position.x() * ratio)),
+                             static_cast<int>(std::floor(position.y() * ratio))});
 }
 
 void ViewMap::showValue()
@@ -282,16 +282,17 @@ void ViewMap::showValue()
 
 void ViewMap::showState()
 {
+    const PixelMap& behind = hasOther() && m_pixels.completeStep() == 1 ? m_other : m_pixels;
     if (isComplete()) {
         m_legend->setState({});
     } else if (m_map == ViewMapKind::Fit && !isReady()) {
         m_legend->setState(tr("There is no plan yet."));
     } else if (!isReady()) {
         m_legend->setState(tr("Preparing…"));
-    } else if (m_step > 1) {
-        m_legend->setState(tr("1/%1 of the pixels a side…").arg(m_step));
-    } else if (m_step == 1) {
-        m_legend->setState(tr("%1 % of the pixels…").arg(100 * m_rows / m_size.height()));
+    } else if (behind.step() > 1) {
+        m_legend->setState(tr("1/%1 of the pixels a side…").arg(behind.step()));
+    } else if (behind.step() == 1) {
+        m_legend->setState(tr("%1 % of the pixels…").arg(int(100 * behind.partOfStep())));
     } else {
         m_legend->setState(tr("Waiting…"));
     }
@@ -299,11 +300,10 @@ void ViewMap::showState()
 
 QString ViewMap::title() const
 {
-    const MethodEntry* entry = findMethod(m_settings.method().name);
-    const QString name =
-        entry != nullptr
-            ? QString::fromUtf8(entry->title.data(), static_cast<qsizetype>(entry->title.size()))
-            : QString();
+    QString name = titleOf(m_settings.method());
+    if (hasOther()) {
+        name = tr("%1 (A) and %2 (B)").arg(name, titleOf(m_comparison.method));
+    }
     switch (m_map) {
     case ViewMapKind::Filtered:
         return m_settings.look() == render::Look()

@@ -6,7 +6,7 @@
 #include <QTimer>
 
 #include "ui/viewport/face_map.h"
-#include "ui/viewport/map_work.h"
+#include "ui/viewport/pixel_map.h"
 #include "ui/viewport/viewport.h"
 
 #include <optional>
@@ -38,8 +38,8 @@ public:
 
     /// The finest step that covers the whole view: 1 when every pixel is its own, 0 while there is
     /// nothing yet.
-    int completeStep() const { return m_completeStep; }
-    bool isComplete() const { return m_completeStep == 1; }
+    int completeStep() const;
+    bool isComplete() const { return completeStep() == 1; }
     /// The number shown at a position of the viewport; nothing off the surface and for maps that
     /// are pictures.
     std::optional<float> valueAt(QPointF position) const;
@@ -59,7 +59,9 @@ private:
     void beginPixels();
     void beginFaces();
     void takeFaces();
-    void takeBand(const MapBand& band);
+    void beginOther();
+    bool hasOther() const;
+    MapWork workOf(const MethodChoice& method) const;
     void drop();
     void showState();
     void showValue();
@@ -73,15 +75,13 @@ private:
     Viewport& m_viewport;
     MapLegend* m_legend; ///< a child of the viewport
     QTimer m_pause;
-    QFutureWatcher<MapBand> m_watcher;
+    PixelMap m_pixels; ///< of the whole view, or of A
+    PixelMap m_other;  ///< of B, where two filters are compared
     QFutureWatcher<FaceNumbers> m_faceWatcher;
-    std::vector<float> m_values; ///< of every pixel of the view or face; empty when there are none
-    QSize m_size;
+    std::vector<float> m_faceValues; ///< of every face; empty when there are none
     FaceErrors m_faceErrors;
     ViewMapKind m_map = ViewMapKind::None;
-    int m_completeStep = 0;
-    int m_step = 0; ///< of the pass that is under way
-    int m_rows = 0; ///< of it that are there
+    Comparison m_comparison;
     std::optional<QPointF> m_pointer;
 };
 

@@ -6,6 +6,7 @@
 #include "core/filter/filter_method.h"
 #include "core/paint/brush.h"
 #include "render/look.h"
+#include "ui/viewport/comparison.h"
 
 namespace trixel::ui {
 
@@ -36,8 +37,8 @@ struct ViewOptions
     bool operator==(const ViewOptions&) const = default;
 };
 
-/// Brush, tool, filter, look and view options: set by panels and shortcuts, listened to by the
-/// viewport.
+/// Brush, tool, filter, look, comparison and view options: set by panels and shortcuts, listened to
+/// by the viewport.
 class ViewSettings : public QObject
 {
     Q_OBJECT
@@ -90,12 +91,23 @@ public:
         }
     }
 
+    /// Whether and how the view is split.
+    const Comparison& comparison() const { return m_comparison; }
+    void setComparison(const Comparison& comparison)
+    {
+        if (m_comparison != comparison) {
+            m_comparison = comparison;
+            emit comparisonChanged();
+        }
+    }
+
 signals:
     void viewChanged();
     void brushChanged();
     void toolChanged();
     void methodChanged();
     void lookChanged();
+    void comparisonChanged();
 
 private:
     ViewOptions m_view;
@@ -103,6 +115,7 @@ private:
     Tool m_tool = Tool::Brush;
     MethodChoice m_method;
     render::Look m_look;
+    Comparison m_comparison;
 };
 
 } // namespace trixel::ui

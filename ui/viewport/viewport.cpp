@@ -93,12 +93,14 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&document, &Document::changed, this, [this](const Change& c) { d->takeChange(c); });
     connect(&settings, &ViewSettings::viewChanged, this, [this] { d->takeView(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->takeLook(); });
+    connect(&settings, &ViewSettings::comparisonChanged, this, [this] { d->takeComparison(); });
     connect(&settings, &ViewSettings::brushChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
     d->watchInspection();
     d->makeCanvas();
+    d->splitBar = new SplitBar(settings, this);
     if (document.isOpen()) {
         d->takeSurface();
     }
@@ -249,6 +251,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
     if (d->goTo) {
         d->goTo->place();
     }
+    d->splitBar->place();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)

@@ -9,6 +9,7 @@
 #include "core/mesh/bvh.h"
 #include "core/texture/texel_store.h"
 #include "render/camera.h"
+#include "render/split.h"
 #include "ui/viewport/hovered_texel.h"
 
 #include <array>
@@ -27,6 +28,7 @@ namespace trixel::ui {
 class Document;
 class FaceSelection;
 class Inspection;
+class SplitBar;
 class ViewSettings;
 
 /// An edge of a face.
@@ -107,9 +109,18 @@ public:
 
     /// Lays rows of a picture over the surface and under the lines: R G B A for each device pixel
     /// of a view of that size, from the top. A picture of another size begins clear.
-    void setPictureRows(std::span<const std::uint32_t> pixels, QSize size, int firstRow);
-    void clearPicture();
+    /// \param side  that the picture is seen on
+    void setPictureRows(std::span<const std::uint32_t> pixels,
+                        QSize size,
+                        int firstRow,
+                        render::Side side = render::Side::A);
+    void clearPicture(render::Side side = render::Side::A);
     bool hasPicture() const;
+
+    /// From now on the present texels are those that a view split in before and after shows as
+    /// before; at first those that were opened are.
+    void rememberBefore();
+    SplitBar& splitBar();
 
     /// Shows each face in one colour, unlit and without texels, or its texels again.
     /// \param colors  R G B A a face of the document's surface (checked); empty: none

@@ -35,9 +35,12 @@ glm::dvec3 unitNormal(const TriangleMesh& mesh, FaceId face)
 
 } // namespace
 
-void Viewport::setPictureRows(std::span<const std::uint32_t> pixels, QSize size, int firstRow)
+void Viewport::setPictureRows(std::span<const std::uint32_t> pixels,
+                              QSize size,
+                              int firstRow,
+                              render::Side side)
 {
-    PictureOver& picture = d->picture;
+    PictureOver& picture = d->pictures[static_cast<std::size_t>(side)];
     const glm::ivec2 wanted(size.width(), size.height());
     if (picture.size != wanted) {
         picture.size = wanted;
@@ -54,17 +57,18 @@ void Viewport::setPictureRows(std::span<const std::uint32_t> pixels, QSize size,
     d->redraw();
 }
 
-void Viewport::clearPicture()
+void Viewport::clearPicture(render::Side side)
 {
-    if (d->picture.size != glm::ivec2(0)) {
-        d->picture = {};
+    PictureOver& picture = d->pictures[static_cast<std::size_t>(side)];
+    if (picture.size != glm::ivec2(0)) {
+        picture = {};
         d->redraw();
     }
 }
 
 bool Viewport::hasPicture() const
 {
-    return d->picture.size != glm::ivec2(0);
+    return d->pictures[0].size != glm::ivec2(0);
 }
 
 void Viewport::setFaceColors(std::vector<std::uint32_t> colors)
@@ -96,9 +100,10 @@ bool Viewport::showsOtherTexels() const
 }
 
 /// Rows that are not on the card yet; the context is current.
-void Viewport::Private::sendPicture()
+void Viewport::Private::sendPicture(render::Side side)
 {
-    render::PicturePass& shown = renderer->picture();
+    PictureOver& picture = pictures[static_cast<std::size_t>(side)];
+    render::PicturePass& shown = renderer->picture(side);
     if (picture.size == glm::ivec2(0)) {
         shown.clear();
         return;

@@ -13,11 +13,13 @@
 #include "ui/viewport/go_to_bar.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/selection_lines.h"
+#include "ui/viewport/split_bar.h"
 #include "ui/viewport/stroke_input.h"
 #include "ui/viewport/surface_lines.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -56,6 +58,7 @@ public:
     // viewport_scene.cpp: what is shown
     void takeSurface();
     void takeChange(const Change& change);
+    void touchTexels(const Change& change, render::Side side);
     void takeView();
     void takeLook();
     /// The texels that are shown.
@@ -68,6 +71,7 @@ public:
     void fitCamera();
     void sendMesh();
     void sendTexels(double milliseconds);
+    bool sendTexels(const TexelStore& store, render::Side side, double milliseconds);
     void normalsReady();
     void waitForNormals();
     render::Scene scene() const;
@@ -76,7 +80,7 @@ public:
     void showLegend();
 
     // viewport_picture.cpp: what is laid over it
-    void sendPicture();
+    void sendPicture(render::Side side);
     void sendFaceColors();
     std::optional<render::Polyline> edgeMark() const;
 
@@ -98,6 +102,14 @@ public:
     void holdAt(glm::dvec2 position);
     bool inspectKey(const QKeyEvent& event);
     std::vector<render::Polyline> heldMark() const;
+
+    // viewport_split.cpp: two sides
+    void takeComparison();
+    const TexelStore& otherSideTexels() const;
+    void prepareOtherSide();
+    std::optional<render::Split> split() const;
+    /// Whether B has texels of its own.
+    bool hasOtherTexels() const;
 
     // viewport_selection.cpp: the chosen faces
     void takeSelection();
@@ -128,7 +140,11 @@ public:
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
     GoToBar* goTo = nullptr;            ///< none before it was asked for
 
-    PictureOver picture;
+    std::array<PictureOver, 2> pictures; ///< by side
+    SplitBar* splitBar = nullptr;
+    Comparison comparison;       ///< as shown
+    TexelStore texelsBefore;     ///< shares with the document's texels what has not changed since
+    bool otherSideDirty = false; ///< B shows other texels than were sent
     std::vector<std::uint32_t> faceColors; ///< shown in place of texels; empty when they are not
     bool faceColorsDirty = false;
     std::optional<TexelStore> otherTexels; ///< shown in place of the document's

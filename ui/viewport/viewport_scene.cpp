@@ -36,6 +36,7 @@ void Viewport::Private::takeSurface()
     shownSurface = document.surface();
     setOtherTexels(std::nullopt);
     faceColors.clear();
+    texelsBefore = document.texels();
     markedEdge.reset();
     pointed.reset(); // of another surface
     hoveredTexel.reset();
@@ -55,16 +56,24 @@ void Viewport::Private::takeChange(const Change& change)
     if (otherTexels) {
         setOtherTexels(std::nullopt);
     } else if (renderer && !texelsDirty) {
-        if (change.rects.empty()) {
-            renderer->touchAllTexels();
-        } else {
-            renderer->touchTexels(document.texels(), change.rects);
+        touchTexels(change, render::Side::A);
+        if (comparison.by == ComparedBy::Level && !otherSideDirty) {
+            touchTexels(change, render::Side::B);
         }
     }
     if (interaction == Interaction::None) {
         refreshHover(); // under a pointer that moves it follows by itself
     }
     redraw();
+}
+
+void Viewport::Private::touchTexels(const Change& change, render::Side side)
+{
+    if (change.rects.empty()) {
+        renderer->touchAllTexels(side);
+    } else {
+        renderer->touchTexels(document.texels(), change.rects, side);
+    }
 }
 
 void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
@@ -74,6 +83,7 @@ void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
     }
     otherTexels = std::move(others);
     shownTexels.forget();
+    otherSideDirty = true;
     if (renderer && !texelsDirty) {
         renderer->touchAllTexels();
     }
@@ -85,6 +95,7 @@ void Viewport::Private::takeView()
 {
     if (settings.view().mipDrop != shownView.mipDrop) {
         texelsDirty = true;
+        otherSideDirty = true;
         shownTexels.forget();
     }
     shownView = settings.view();
@@ -141,7 +152,8 @@ void Viewport::Private::draw()
     fitCamera(); // the window may have come to a screen of another density
     sendMesh();
     sendTexels(kUploadMs);
-    sendPicture();
+    sendPicture(render::Side::A);
+    sendPicture(render::Side::B);
     sendFaceColors();
     renderer->draw(scene());
     if (!shownSurface) {
@@ -172,6 +184,7 @@ void Viewport::Private::sendMesh()
         return;
     }
     texelsDirty = true;
+    otherSideDirty = true;
     faceColorsDirty = !faceColors.empty();
     if (!shownSurface) {
         renderer->clear();
@@ -193,10 +206,9 @@ void Viewport::Private::sendTexels(double milliseconds)
     if (!shownSurface) {
         return;
     }
-    const TexelStore& store = texels();
     if (texelsDirty) {
         texelsDirty = false;
-        renderer->setTexels(store, shownView.mipDrop);
+        renderer->setTexels(texels(), shownView.mipDrop);
         if (renderer->texels().isReduced()) {
             emit q.notice(
                 tr("The graphics card has no room for all texels: they are shown %n level(s) "
@@ -205,16 +217,28 @@ void Viewport::Private::sendTexels(double milliseconds)
                    renderer->texels().levelsDropped()));
         }
     }
-    QElapsedTimer clock;
-    clock.start();
-    const auto limit = static_cast<qint64>(milliseconds * 1e6);
-    while (renderer->texels().hasWork() && (milliseconds <= 0 || clock.nsecsElapsed() < limit)) {
-        renderer->uploadTexels(store, kSliceBytes);
+    prepareOtherSide();
+    bool hasMore = sendTexels(texels(), render::Side::A, milliseconds);
+    if (hasOtherTexels()) {
+        hasMore = sendTexels(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
     }
-    if (renderer->texels().hasWork()) {
+    if (hasMore) {
         QMetaObject::invokeMethod(
             &q, [this] { redraw(); }, Qt::QueuedConnection);
     }
+}
+
+/// Whether there is more to send after so long.
+bool Viewport::Private::sendTexels(const TexelStore& store, render::Side side, double milliseconds)
+{
+    QElapsedTimer clock;
+    clock.start();
+    const auto limit = static_cast<qint64>(milliseconds * 1e6);
+    const render::DisplayTexels& shown = renderer->texels(side);
+    while (shown.hasWork() && (milliseconds <= 0 || clock.nsecsElapsed() < limit)) {
+        renderer->uploadTexels(store, kSliceBytes, side);
+    }
+    return shown.hasWork();
 }
 
 void Viewport::Private::normalsReady()
@@ -255,6 +279,7 @@ render::Scene Viewport::Private::scene() const
     result.surface.hasAlpha = !result.surface.faceColors && texels().format().alpha.has_value();
     result.surface.pixelRatio = static_cast<float>(q.devicePixelRatioF());
     result.overlays = overlays();
+    result.split = split();
     return result;
 }
 

@@ -21,6 +21,7 @@
 #include "ui/window/bookmark_actions.h"
 #include "ui/window/brush_actions.h"
 #include "ui/window/command_palette.h"
+#include "ui/window/compare_actions.h"
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
 #include "ui/window/inspect_actions.h"
@@ -190,6 +191,7 @@ void MainWindow::makeMenus()
     m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
     m_mapActions->fillMenu(*view);
+    (new CompareActions(m_settings, *m_mapActions, *m_viewport, *this))->fillMenu(*view);
     m_lookActions->fillMenu(*view);
     view->addSeparator();
     m_inspectors->fillMenu(*view);

@@ -37,6 +37,7 @@ MapActions::MapActions(ViewSettings& settings, QWidget& window)
     , m_settings(settings)
 {
     makeMaps(window);
+    makeToggle(window);
     makeMethods(window);
     connect(&settings, &ViewSettings::viewChanged, this, &MapActions::follow);
     connect(&settings, &ViewSettings::methodChanged, this, &MapActions::follow);
@@ -90,6 +91,20 @@ void MapActions::makeMaps(QWidget& window)
     }
 }
 
+/// Between the two that are looked at in turn most often.
+void MapActions::makeToggle(QWidget& window)
+{
+    m_toggle = ActionMaker(window)(tr("Nearest &or Filtered"),
+                                   tr("Go between the texels as they are and the filtered picture"),
+                                   {Qt::Key_V});
+    connect(m_toggle, &QAction::triggered, this, [this] {
+        ViewOptions view = m_settings.view();
+        const bool isFiltered = view.map == ViewMapKind::Filtered;
+        view.map = isFiltered ? ViewMapKind::None : ViewMapKind::Filtered;
+        m_settings.setView(view);
+    });
+}
+
 void MapActions::makeMethods(QWidget& window)
 {
     auto* group = new QActionGroup(this);
@@ -121,9 +136,11 @@ void MapActions::fillMenu(QMenu& menu)
     for (const auto& [action, map] : m_maps) {
         maps->addAction(action);
     }
-    QMenu* methods = menu.addMenu(tr("Filte&r Method"));
+    maps->addSeparator();
+    maps->addAction(m_toggle);
+    m_methodMenu = menu.addMenu(tr("Filte&r Method"));
     for (const auto& [action, name] : m_methods) {
-        methods->addAction(action);
+        m_methodMenu->addAction(action);
     }
 }
 

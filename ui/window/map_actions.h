@@ -24,13 +24,18 @@ public:
     MapActions(ViewSettings& settings, QWidget& window);
 
     void fillMenu(QMenu& menu);
+    /// Of all filter methods; there once the menu is filled.
+    QMenu* methodMenu() const { return m_methodMenu; }
 
 private:
     void makeMaps(QWidget& window);
+    void makeToggle(QWidget& window);
     void makeMethods(QWidget& window);
     void follow();
 
     ViewSettings& m_settings;
+    QAction* m_toggle = nullptr;
+    QMenu* m_methodMenu = nullptr;
     std::vector<std::pair<QAction*, ViewMapKind>> m_maps;
     std::vector<std::pair<QAction*, std::string>> m_methods;
 };
