@@ -24,17 +24,18 @@ Status expect(bool holds, const std::string& sentence)
     return holds ? Status() : contentsError("tour: " + sentence);
 }
 
-/// How much its first channel varies, in bytes' steps.
-int contrastOf(const FaceTexels& face)
+/// How much the first channel varies over its texels: the variance, in bytes' steps.
+double contrastOf(const FaceTexels& face)
 {
-    int low = 255;
-    int high = 0;
+    const auto count = static_cast<double>(face.level().texelCount());
+    double sum = 0;
+    double squares = 0;
     for (std::size_t k = 0; k < face.level().texelCount(); ++k) {
-        const int value = static_cast<int>(face.texel(k)[0]);
-        low = std::min(low, value);
-        high = std::max(high, value);
+        const auto value = static_cast<double>(face.texel(k)[0]);
+        sum += value;
+        squares += value * value;
     }
-    return high - low;
+    return squares / count - (sum / count) * (sum / count);
 }
 
 /// 1 for equal sides, 0 for a needle.

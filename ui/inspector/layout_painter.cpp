@@ -287,10 +287,15 @@ void LayoutPainter::drawVertices(QPainter& painter) const
             if (glm::dot(out, toVector(centre - middle)) < 0) {
                 out = -out;
             }
+            // Clear of the steps.
+            const bool steps = m_scene.kind == LayoutKind::Packed && edge == LocalEdge::E1;
+            const double aside =
+                kAside +
+                (steps ? 0.7 * std::min(texelSide(layout, m_scene.main().level), 40.0) : 0);
             drawHaloed(painter,
                        m_ink,
                        m_ink.bold,
-                       centre + toPoint(out * kAside),
+                       centre + toPoint(out * aside),
                        QString("E%1").arg(indexOf(edge)),
                        m_ink.edge(edge));
         }

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kMostEntries = 10;
 /// Faces up to this level are reduced at once: half a millisecond each.
 constexpr Level kReducedAtOnce(8);
+/// A first look at a face has no more texels: some milliseconds of reading here and there.
+constexpr Level kSampledAtMost(9);
 /// More changes than this are not looked through for the few faces that are kept.
 constexpr std::size_t kMostRects = 20000;
 /// Changes while a face is being reduced; then it is begun anew.
@@ -195,9 +197,10 @@ const FaceTexels& ShownFaces::texelsToDraw(Entry& entry, Level level)
     if (haveCoarser(entry, false)) {
         return entry.coarser->at(level);
     }
-    if (!entry.sampled || entry.sampled->level() != level) {
-        entry.sampled = sampledAt(level, face);
-        entry.shades[static_cast<std::size_t>(level.log2())].reset();
+    const Level first = std::min(level, kSampledAtMost);
+    if (!entry.sampled || entry.sampled->level() != first) {
+        entry.sampled = sampledAt(first, face);
+        entry.shades[static_cast<std::size_t>(first.log2())].reset();
     }
     return *entry.sampled;
 }
