@@ -33,9 +33,17 @@ struct Sample
     bool operator==(const Sample&) const = default;
 };
 
+/// A signed integer on the way is what processors convert to quickest.
 std::uint32_t cellOf(double x, std::uint32_t resolution)
 {
-    return x > 0 ? std::min(static_cast<std::uint32_t>(x), resolution - 1) : 0;
+    const auto last = static_cast<std::int32_t>(resolution) - 1;
+    return static_cast<std::uint32_t>(std::clamp(static_cast<std::int32_t>(x), 0, last));
+}
+
+/// Where in its cell a place of the face lies.
+glm::dvec2 inCell(glm::dvec2 p)
+{
+    return {p.x - static_cast<std::int32_t>(p.x), p.y - static_cast<std::int32_t>(p.y)};
 }
 
 std::uint16_t narrow(std::uint32_t value)
@@ -170,7 +178,7 @@ private:
     /// Whether the whole pixel about a place lies in one texel.
     bool isInside(glm::dvec2 p) const
     {
-        const glm::dvec2 in = p - glm::floor(p);
+        const glm::dvec2 in = inCell(p);
         if (in.x < m_reach.x || in.y < m_reach.y || in.x > 1 - m_reach.x || in.y > 1 - m_reach.y) {
             return false;
         }
@@ -205,7 +213,7 @@ private:
     /// The pixel with what it has of a line between texels: light beside dark.
     QRgb lined(QRgb color, glm::dvec2 p) const
     {
-        const glm::dvec2 in = p - glm::floor(p);
+        const glm::dvec2 in = inCell(p);
         double distance =
             std::min(std::min(in.x, 1 - in.x) * m_pixels.x, std::min(in.y, 1 - in.y) * m_pixels.y);
         if constexpr (kTriangles) {

@@ -65,6 +65,25 @@ QImage drawn(LayoutFixture& f, const LayoutScene& scene)
     return picture;
 }
 
+/// The first face finer than what is reduced at once: stripes of two texels, grey as a mean.
+Project stripedProject()
+{
+    Project project = fanProject();
+    const Level level(10);
+    std::vector<std::byte> bytes;
+    for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
+        bytes.insert(bytes.end(), 3, (k / 2) % 2 == 0 ? std::byte{255} : std::byte{0});
+    }
+    (void)project.texels.exchange(FaceId{0}, FaceTexels::full(level, 3, bytes));
+    return project;
+}
+
+QRgb middleOf(LayoutView& view)
+{
+    const QImage shown = view.grab().toImage();
+    return shown.pixel(shown.width() / 2, shown.height() / 2 + 20);
+}
+
 } // namespace
 
 class LayoutPicturesTest : public QObject
@@ -152,25 +171,41 @@ private slots:
 
     void largeFacesAreDrawnAtOnceAndWellSoonAfter()
     {
-        Project project = fanProject();
-        // Finer than what is reduced at once: stripes of one texel, grey as a mean.
-        const Level level(10);
-        std::vector<std::byte> bytes;
-        for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
-            bytes.insert(bytes.end(), 3, (k / 2) % 2 == 0 ? std::byte{255} : std::byte{0});
-        }
-        (void)project.texels.exchange(FaceId{0}, FaceTexels::full(level, 3, bytes));
-        LayoutFixture f(std::move(project));
+        LayoutFixture f(stripedProject());
         QVERIFY(QTest::qWaitForWindowExposed(&f.panel));
         f.inspection.pointAt(FaceId{0}, {0.1F, 0.1F});
-        LayoutView& view = f.packed();
-        const auto middle = [&] {
-            const QImage shown = view.grab().toImage();
-            return shown.pixel(shown.width() / 2, shown.height() / 2 + 20);
+        // One of the texels, not their mean, nor the background.
+        const QRgb first = middleOf(f.packed());
+        QVERIFY(gap(first, qRgb(255, 255, 255)) < 3 || gap(first, qRgb(0, 0, 0)) < 3);
+        QTRY_VERIFY_WITH_TIMEOUT(gap(middleOf(f.packed()), qRgb(128, 128, 128)) < 20, 20000);
+    }
+
+    void whatIsPaintedWhileAFaceIsReducedIsNotLost()
+    {
+        LayoutFixture f(stripedProject());
+        QVERIFY(QTest::qWaitForWindowExposed(&f.panel));
+        f.inspection.pointAt(FaceId{0}, {0.1F, 0.1F});
+        (void)middleOf(f.packed()); // begins to reduce
+        Brush brush;
+        brush.radius = 0.2F;
+        brush.color = {1, 0, 0, 1};
+        f.document.beginStroke(brush);
+        f.document.extendStroke({FaceId{0}, {0.4F, 0.4F}, 1.0F, 0});
+        f.document.endStroke();
+        (void)f.packed().grab();
+        const QRgb grey = qRgb(128, 128, 128);
+        const auto away = [&] {
+            const QImage shown = f.packed().grab().toImage();
+            return shown.pixel(shown.width() / 2 - 90, shown.height() / 2 + 100);
         };
-        const QRgb first = middle();
-        QVERIFY(qRed(first) > 50 || qRed(first) == 0); // something of the face, not the background
-        QTRY_VERIFY_WITH_TIMEOUT(gap(middle(), qRgb(128, 128, 128)) < 20, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(gap(away(), grey) < 20, 20000); // reduced
+        const QImage followed = f.packed().grab().toImage();
+        f.panel.hide(); // forgets
+        f.panel.show();
+        f.panel.complete();
+        QCOMPARE(f.packed().grab().toImage(), followed);
+        f.document.undoStack().undo();
+        QVERIFY(f.packed().grab().toImage() != followed); // it was there
     }
 
 private:
