@@ -21,10 +21,7 @@ FootprintLegend::FootprintLegend(QWidget* view)
     : QLabel(view)
 {
     setTextFormat(Qt::RichText);
-    setText(
-        tr("%1 and %2 under the pointer, drawn %3× larger")
-            .arg(colored(tr("Pixel"), kParallelogramColor), colored(tr("ellipse"), kEllipseColor))
-            .arg(kFootprintMagnification));
+    tellOfHovered();
     setAccessibleName(tr("What the lines of the footprint are"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     // Readable over any texels, in either theme.
@@ -35,6 +32,27 @@ FootprintLegend::FootprintLegend(QWidget* view)
     setAutoFillBackground(true);
     setContentsMargins(6, 3, 6, 3);
     hide();
+}
+
+void FootprintLegend::tellOfHovered()
+{
+    setText(
+        tr("%1 and %2 under the pointer, drawn %3× larger")
+            .arg(colored(tr("Pixel"), kParallelogramColor), colored(tr("ellipse"), kEllipseColor))
+            .arg(kFootprintMagnification));
+}
+
+void FootprintLegend::tellOf(double magnification, bool withFrozen)
+{
+    QString text = tr("%1 and %2 of the footprint, %3")
+                       .arg(colored(tr("W1, W2"), kParallelogramColor),
+                            colored(tr("ellipse"), kEllipseColor),
+                            magnification == 1.0 ? tr("as large as they are")
+                                                 : tr("drawn %1× larger").arg(magnification));
+    if (withFrozen) {
+        text += tr("; %1").arg(colored(tr("frozen"), kFrozenColor));
+    }
+    setText(text);
 }
 
 void FootprintLegend::place()

@@ -14,6 +14,11 @@ class FootprintLegend : public QLabel
 public:
     explicit FootprintLegend(QWidget* view);
 
+    /// The pixel under the pointer.
+    void tellOfHovered();
+    /// Footprints that a panel chose.
+    void tellOf(double magnification, bool withFrozen);
+
     /// Takes the corner again, after the view has changed its size.
     void place();
 };

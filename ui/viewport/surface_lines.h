@@ -16,6 +16,8 @@ inline constexpr double kFootprintMagnification = 40.0;
 
 inline constexpr glm::vec4 kEllipseColor{0.35F, 0.9F, 1.0F, 0.95F};
 inline constexpr glm::vec4 kParallelogramColor{1.0F, 0.75F, 0.3F, 0.9F};
+/// Of a footprint that was frozen to be compared with.
+inline constexpr glm::vec4 kFrozenColor{1.0F, 0.55F, 0.95F, 0.95F};
 
 /// The brush's reach around a point and, where it is not hard, the part painted at full strength;
 /// both are drawn onto the surface nearby.

@@ -10,6 +10,7 @@
 #include "core/texture/texel_store.h"
 #include "render/camera.h"
 #include "render/split.h"
+#include "render/overlay_pass.h"
 #include "ui/viewport/hovered_texel.h"
 
 #include <array>
@@ -131,6 +132,12 @@ public:
     /// itself when the document's texels change.
     void showOtherTexels(std::optional<TexelStore> texels);
     bool showsOtherTexels() const;
+
+    /// Draws footprints in the place of the hovered pixel's own, which nothing gives back.
+    /// \param magnification  how many times larger than it is the footprint is drawn
+    void showFootprints(std::optional<std::vector<render::Polyline>> lines,
+                        double magnification = 1.0,
+                        bool withFrozen = false);
 
     /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
     /// `grabFramebuffer` is complete.

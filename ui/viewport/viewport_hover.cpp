@@ -79,13 +79,17 @@ std::vector<render::Polyline> Viewport::Private::overlays() const
     if (!shownSurface) {
         return lines;
     }
+    if (givenFootprints && shownView.footprint) { // while the view turns, too
+        lines.insert(lines.end(), givenFootprints->begin(), givenFootprints->end());
+    }
     const TriangleMesh& mesh = shownSurface->mesh();
     const bool idle = interaction == Interaction::None || interaction == Interaction::Inspect;
     const bool paints = settings.tool() == Tool::Brush || settings.tool() == Tool::Eraser;
     const auto draw = [&lines](std::vector<render::Polyline>&& more) {
         std::ranges::move(more, std::back_inserter(lines));
     };
-    if (hoveredTexel && shownView.footprint && hoveredTexel->hasFootprint && idle) {
+    if (hoveredTexel && shownView.footprint && hoveredTexel->hasFootprint && idle &&
+        !givenFootprints) {
         draw(footprintLines(mesh, *hoveredTexel));
     }
     if (hoveredTexel && hoveredTexel->isHeld) {

@@ -130,6 +130,22 @@ void Viewport::Private::sendFaceColors()
     }
 }
 
+void Viewport::showFootprints(std::optional<std::vector<render::Polyline>> lines,
+                              double magnification,
+                              bool withFrozen)
+{
+    if (d->legend) {
+        if (lines) {
+            d->legend->tellOf(magnification, withFrozen);
+        } else {
+            d->legend->tellOfHovered();
+        }
+        d->legend->place();
+    }
+    d->givenFootprints = std::move(lines);
+    d->redraw();
+}
+
 void Viewport::markEdge(std::optional<SurfaceEdge> edge)
 {
     d->markedEdge = edge;

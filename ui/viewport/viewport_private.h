@@ -149,6 +149,8 @@ public:
     bool faceColorsDirty = false;
     std::optional<TexelStore> otherTexels; ///< shown in place of the document's
     std::optional<SurfaceEdge> markedEdge;
+    /// In the place of those of the hovered pixel.
+    std::optional<std::vector<render::Polyline>> givenFootprints;
 
     FaceSelection* selection = nullptr;
     std::vector<render::Polyline> selectionLines;

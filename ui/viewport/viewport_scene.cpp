@@ -39,6 +39,9 @@ void Viewport::Private::takeSurface()
     texelsBefore = document.texels();
     markedEdge.reset();
     pointed.reset(); // of another surface
+    if (givenFootprints) {
+        givenFootprints->clear(); // of another surface
+    }
     hoveredTexel.reset();
     emit q.hovered(std::nullopt);
     if (shownSurface) {
