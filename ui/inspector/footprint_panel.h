@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "render/overlay_pass.h"
+#include "ui/inspector/footprint_answers.h"
+#include "ui/inspector/footprint_probe.h"
+#include "ui/inspector/footprint_rows.h"
+#include "ui/inspector/footprint_sweep.h"
+
+#include <optional>
+#include <vector>
+
+class QBoxLayout;
+class QCheckBox;
+class QComboBox;
+class QToolButton;
+
+namespace trixel::ui {
+
+class Document;
+class FilterSceneSource;
+class FootprintNetView;
+class FootprintTable;
+class FootprintVectors;
+class Inspection;
+class SweepBar;
+class ViewSettings;
+class Viewport;
+
+/// What the panel works on; all of it outlives the panel.
+struct FootprintWork
+{
+    Document& document;
+    Inspection& inspection;
+    ViewSettings& settings;
+    FilterSceneSource& filterScene;
+    Viewport& viewport;
+};
+
+/// The footprint of the inspected texel: laid flat with the weights of its texels, in numbers, on
+/// the surface, beside a frozen one, and swept from face-on to grazing. Does nothing while hidden.
+class FootprintPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// How many times larger the footprint of a pixel is drawn on the surface.
+    static constexpr double kEnlarged = 40.0;
+
+    explicit FootprintPanel(const FootprintWork& work, QWidget* parent = nullptr);
+    ~FootprintPanel() override;
+
+    FootprintProbe& probe() { return *m_probe; }
+    FootprintNetView& netView() { return *m_view; }
+    FootprintTable& table() { return *m_table; }
+    SweepBar& sweepBar() { return *m_sweepBar; }
+    bool isFrozen() const { return m_probe->frozen().has_value(); }
+    /// Keeps the footprint as it is to compare it with others, or lets it go.
+    void setFrozen(bool frozen);
+    /// Whether texels are coloured by weight on the surface, too.
+    void setWeightsOnSurface(bool shown);
+
+signals:
+    void frozenChanged(bool frozen);
+    void weightsOnSurfaceChanged(bool shown);
+    void sourceChanged(trixel::ui::FootprintSource source);
+    void playingChanged(bool plays);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    enum class Colouring { MethodWeights, ExactWeights, Values };
+
+    QWidget* makeChoices();
+    QWidget* makeNumbers();
+    void join();
+    void setActive(bool active);
+    void refresh();
+    void refreshFrozen();
+    void showNet();
+    void showNumbers();
+    void showOnSurface();
+    void sweepLater();
+    void startSweep();
+    Colouring colouring() const;
+    std::optional<FootprintFacts> facts(const std::optional<ProbedFootprint>& probed,
+                                        const FootprintAnswers& answers,
+                                        const FootprintNet& net) const;
+    FootprintNet netOf(const PlacedFootprint& footprint) const;
+    double magnificationOf(const ProbedFootprint& probed) const;
+    void
+    addLines(const ProbedFootprint& probed, bool live, std::vector<render::Polyline>& lines) const;
+
+    FootprintWork m_work;
+    FootprintProbe* m_probe;
+    FootprintAnswers* m_answers;
+    FootprintAnswers* m_frozenAnswers;
+    FootprintSweep* m_sweep;
+    FootprintNet m_net;
+    FootprintNet m_frozenNet;
+    QTimer m_refresh;    ///< several changes make one
+    QTimer m_sweepPause; ///< the pointer moves on before a sweep is worth it
+
+    QBoxLayout* m_columns = nullptr;
+    QComboBox* m_source = nullptr;
+    QComboBox* m_colouring = nullptr;
+    QToolButton* m_freeze = nullptr;
+    QCheckBox* m_onSurface = nullptr;
+    QCheckBox* m_enlarge = nullptr;
+    FootprintVectors* m_vectors = nullptr;
+    FootprintNetView* m_view = nullptr;
+    FootprintTable* m_table = nullptr;
+    SweepBar* m_sweepBar = nullptr;
+};
+
+} // namespace trixel::ui
