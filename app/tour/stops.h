@@ -38,6 +38,7 @@ public:
     Status errorMap();
     Status falseColours();
     Status comparedFilters();
+    Status footprint();
     Status seamMeter();
     Status sweptHazards();
 

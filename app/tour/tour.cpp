@@ -60,6 +60,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::errorMap,
                             &Stops::falseColours,
                             &Stops::comparedFilters,
+                            &Stops::footprint,
                             &Stops::seamMeter,
                             &Stops::newProject,
                             &Stops::exportedTexture,

@@ -6,9 +6,11 @@
 #include <QMenu>
 #include <QScrollArea>
 
+#include "ui/inspector/footprint_panel.h"
 #include "ui/inspector/layout_panel.h"
 #include "ui/look/look_overlay.h"
 #include "ui/look/look_panel.h"
+#include "ui/window/footprint_actions.h"
 #include "ui/window/panel_frames.h"
 #include "ui/window/workspace.h"
 
@@ -20,12 +22,15 @@ InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frame
 {
     makeLook(work, frames);
     makeLayout(work, frames);
+    makeFootprint(work, frames);
 }
 
 void InspectorPanels::fillMenu(QMenu& menu) const
 {
     QMenu* layout = menu.addMenu(tr("Texel La&yout"));
     layout->addActions(m_layout->switches());
+    QMenu* footprint = menu.addMenu(tr("Foot&print"));
+    footprint->addActions(m_footprint->actions());
 }
 
 void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
@@ -51,6 +56,18 @@ void InspectorPanels::makeLayout(const Workspace& work, const PanelFrames& frame
     QDockWidget* dock =
         frames.below("layoutPanel", tr("Layout"), m_layout, {Qt::SHIFT | Qt::Key_F3});
     work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);
+}
+
+/// Out of the way until wanted, and a column of its own then.
+void InspectorPanels::makeFootprint(const Workspace& work, const PanelFrames& frames)
+{
+    auto* panel = new FootprintPanel(
+        {work.document, work.inspection, work.settings, work.filterScene, work.viewport});
+    QDockWidget* dock =
+        frames.beside("footprintPanel", tr("Footprint"), panel, {Qt::SHIFT | Qt::Key_F5});
+    work.window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+    dock->hide();
+    m_footprint = new FootprintActions(*panel, *dock, work.window);
 }
 
 } // namespace trixel::ui

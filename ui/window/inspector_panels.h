@@ -7,6 +7,7 @@ class QMenu;
 
 namespace trixel::ui {
 
+class FootprintActions;
 class LayoutPanel;
 class LookPanel;
 class PanelFrames;
@@ -29,9 +30,11 @@ public:
 private:
     void makeLook(const Workspace& work, const PanelFrames& frames);
     void makeLayout(const Workspace& work, const PanelFrames& frames);
+    void makeFootprint(const Workspace& work, const PanelFrames& frames);
 
     LookPanel* m_look;
     LayoutPanel* m_layout = nullptr;
+    FootprintActions* m_footprint = nullptr;
 };
 
 } // namespace trixel::ui
