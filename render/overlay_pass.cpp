@@ -106,7 +106,9 @@ void OverlayPass::drawLine(const Polyline& line, float pixelRatio)
         const auto faded = [&](glm::vec4 color) {
             return glm::vec4(color.r, color.g, color.b, color.a * opacity);
         };
-        stroke(segments, faded(outline), half + kOutlineWidth * pixelRatio);
+        if (line.outlined) {
+            stroke(segments, faded(outline), half + kOutlineWidth * pixelRatio);
+        }
         stroke(segments, faded(line.color), half);
     };
     m_gl.glDepthFunc(GL_LEQUAL);

@@ -22,6 +22,7 @@ struct Polyline
     float width = 1.5F; ///< logical pixels
     /// How strongly what lies behind the surface still shows, in [0,1].
     float hiddenOpacity = 0.0F;
+    bool outlined = true; ///< over a dark outline
 };
 
 /// Draws anti-aliased lines that lie on the surface, hidden by what is in front of it.
