@@ -17,7 +17,9 @@ namespace {
 
 constexpr int kEllipsePoints = 96;
 /// How far texels are drawn inside their edges, so that neighbours stay apart.
-constexpr double kInset = 0.12;
+constexpr double kInset = 0.15;
+/// Of the largest weight: texels that count less stay as they are.
+constexpr double kLeastShare = 0.02;
 
 struct Part
 {
@@ -137,6 +139,9 @@ weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::si
     for (std::size_t k = count; k-- > 0;) { // the heaviest last, above the others
         const Contribution& one = weights.texels[k];
         const double share = heaviest > 0 ? one.weight / heaviest : 0;
+        if (share < kLeastShare) {
+            continue;
+        }
         const QColor color = weightColor(share);
         const auto faceCorners = mesh.corners(one.face);
         const glm::dvec2 middle = centroid(one.level, one.texel);
@@ -147,7 +152,8 @@ weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::si
         }
         line.closed = true;
         line.color = {color.redF(), color.greenF(), color.blueF(), 0.95F};
-        line.width = 1.0F + 2.0F * static_cast<float>(std::sqrt(std::max(share, 0.0)));
+        line.width = 1.0F + 1.5F * static_cast<float>(std::sqrt(share));
+        line.outlined = false; // they would hide small texels
         lines.push_back(std::move(line));
     }
     return lines;

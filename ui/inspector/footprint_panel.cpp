@@ -25,9 +25,6 @@
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
 
-#include <glm/geometric.hpp>
-#include <initializer_list>
-
 namespace trixel::ui {
 
 namespace {
@@ -43,6 +40,7 @@ constexpr double kLinesCut = 1.8;
 FootprintPanel::FootprintPanel(const FootprintWork& work, QWidget* parent)
     : QWidget(parent)
     , m_work(work)
+    , m_viewport(&work.viewport)
     , m_probe(new FootprintProbe(work.document, work.inspection, this))
     , m_answers(new FootprintAnswers(work.document, work.settings, work.filterScene, this))
     , m_frozenAnswers(new FootprintAnswers(work.document, work.settings, work.filterScene, this))
@@ -77,21 +75,10 @@ FootprintPanel::FootprintPanel(const FootprintWork& work, QWidget* parent)
     join();
 }
 
-/// Nobody may tell a panel anything that is half gone.
+/// Nobody may tell a panel anything that is half gone; what it works on may be gone already.
 FootprintPanel::~FootprintPanel()
 {
-    for (QObject* sender : std::initializer_list<QObject*>{m_probe,
-                                                           m_answers,
-                                                           m_frozenAnswers,
-                                                           m_sweep,
-                                                           m_view,
-                                                           m_sweepBar,
-                                                           &m_work.viewport,
-                                                           &m_work.settings,
-                                                           &m_work.filterScene,
-                                                           &m_work.document}) {
-        sender->disconnect(this);
-    }
+    m_links.reset();
 }
 
 /// Where the footprint comes from, its picture and what may be dragged.
@@ -157,11 +144,8 @@ QWidget* FootprintPanel::makeChoices()
     m_enlarge->setToolTip(tr("A pixel's footprint is a pixel large on the screen: draw it so many "
                              "times larger on the surface"));
     m_enlarge->setChecked(true);
-    auto* checks = new QHBoxLayout;
-    checks->addWidget(m_onSurface);
-    checks->addWidget(m_enlarge);
-    checks->addStretch(1);
-    layout->addLayout(checks);
+    layout->addWidget(m_onSurface);
+    layout->addWidget(m_enlarge);
     return side;
 }
 
@@ -186,12 +170,13 @@ QWidget* FootprintPanel::makeNumbers()
 
 void FootprintPanel::join()
 {
+    QObject* links = m_links.get();
     const auto later = [this] { m_refresh.start(); };
     connect(&m_refresh, &QTimer::timeout, this, &FootprintPanel::refresh);
     connect(&m_sweepPause, &QTimer::timeout, this, &FootprintPanel::startSweep);
-    connect(m_probe, &FootprintProbe::changed, this, later);
-    connect(m_probe, &FootprintProbe::frozenChanged, this, &FootprintPanel::refreshFrozen);
-    connect(m_probe, &FootprintProbe::sourceChanged, this, [this] {
+    connect(m_probe, &FootprintProbe::changed, links, later);
+    connect(m_probe, &FootprintProbe::frozenChanged, links, [this] { refreshFrozen(); });
+    connect(m_probe, &FootprintProbe::sourceChanged, links, [this] {
         const QSignalBlocker quiet(m_source);
         m_source->setCurrentIndex(m_source->findData(static_cast<int>(m_probe->source())));
         if (m_probe->source() != FootprintSource::Tilted) {
@@ -212,37 +197,39 @@ void FootprintPanel::join()
         showOnSurface();
         emit weightsOnSurfaceChanged(shown);
     });
-    connect(m_enlarge, &QCheckBox::toggled, this, &FootprintPanel::showOnSurface);
+    connect(m_enlarge, &QCheckBox::toggled, links, [this] { showOnSurface(); });
     connect(m_colouring, &QComboBox::currentIndexChanged, this, [this] {
         m_answers->wantWeights(true, colouring() == Colouring::ExactWeights);
         showNet();
     });
-    connect(m_answers, &FootprintAnswers::changed, this, [this] {
+    connect(m_answers, &FootprintAnswers::changed, links, [this] {
         showNet();
         showNumbers();
         if (m_onSurface->isChecked()) {
             showOnSurface();
         }
     });
-    connect(m_frozenAnswers, &FootprintAnswers::changed, this, &FootprintPanel::showNumbers);
-    connect(m_sweep, &FootprintSweep::changed, this, [this] {
+    connect(m_frozenAnswers, &FootprintAnswers::changed, links, [this] { showNumbers(); });
+    connect(m_sweep, &FootprintSweep::changed, links, [this] {
         m_sweepBar->plot().setPoints(m_sweep->points());
     });
-    connect(m_sweepBar, &SweepBar::degreesChosen, this, [this](double degrees) {
+    connect(m_sweepBar, &SweepBar::degreesChosen, links, [this](double degrees) {
         m_probe->setDegrees(degrees);
         m_sweepBar->setDegrees(degrees);
         m_probe->setSource(FootprintSource::Tilted);
     });
-    connect(m_sweepBar, &SweepBar::playingChanged, this, &FootprintPanel::playingChanged);
-    connect(&m_work.viewport, &Viewport::cameraChanged, this, [this] {
+    connect(m_sweepBar, &SweepBar::playingChanged, links, [this](bool plays) {
+        emit playingChanged(plays);
+    });
+    connect(&m_work.viewport, &Viewport::cameraChanged, links, [this] {
         if (m_probe->isActive()) {
             m_probe->setCamera(m_work.viewport.camera());
         }
     });
-    connect(&m_work.settings, &ViewSettings::methodChanged, this, &FootprintPanel::sweepLater);
-    connect(&m_work.settings, &ViewSettings::lookChanged, this, &FootprintPanel::showNet);
-    connect(&m_work.filterScene, &FilterSceneSource::changed, this, &FootprintPanel::sweepLater);
-    connect(&m_work.document, &Document::changed, this, later);
+    connect(&m_work.settings, &ViewSettings::methodChanged, links, [this] { sweepLater(); });
+    connect(&m_work.settings, &ViewSettings::lookChanged, links, [this] { showNet(); });
+    connect(&m_work.filterScene, &FilterSceneSource::changed, links, [this] { sweepLater(); });
+    connect(&m_work.document, &Document::changed, links, later);
     m_answers->wantWeights(true, false);
 }
 
@@ -302,7 +289,9 @@ void FootprintPanel::setActive(bool active)
     m_sweep->clear();
     m_answers->ask(std::nullopt);
     m_frozenAnswers->ask(std::nullopt);
-    m_work.viewport.showFootprints(std::nullopt);
+    if (m_viewport) { // a window that ends takes it away first
+        m_viewport->showFootprints(std::nullopt);
+    }
 }
 
 FootprintNet FootprintPanel::netOf(const PlacedFootprint& footprint) const

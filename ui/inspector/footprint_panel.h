@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -10,6 +11,7 @@
 #include "ui/inspector/footprint_rows.h"
 #include "ui/inspector/footprint_sweep.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -98,6 +100,9 @@ private:
     addLines(const ProbedFootprint& probed, bool live, std::vector<render::Polyline>& lines) const;
 
     FootprintWork m_work;
+    QPointer<Viewport> m_viewport;
+    /// What signals are led through; ends before anything else does.
+    std::unique_ptr<QObject> m_links = std::make_unique<QObject>();
     FootprintProbe* m_probe;
     FootprintAnswers* m_answers;
     FootprintAnswers* m_frozenAnswers;

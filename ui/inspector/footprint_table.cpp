@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QResizeEvent>
 
+#include "ui/viewport/surface_lines.h"
+
 namespace trixel::ui {
 
 namespace {
@@ -45,9 +47,9 @@ FootprintTable::FootprintTable(QWidget* parent)
         m_names[k]->setAlignment(Qt::AlignTop | Qt::AlignLeft);
         m_values[k] = valueLabel(name.trimmed(), toolTip);
         m_frozen[k] = valueLabel(tr("%1 of the frozen footprint").arg(name.trimmed()), toolTip);
-        m_frozen[k]->setForegroundRole(QPalette::Link);
     }
     place();
+    colorFrozen();
     show(std::nullopt);
     showFrozen(std::nullopt);
 }
@@ -62,6 +64,27 @@ void FootprintTable::place()
     }
     m_grid->setColumnStretch(1, 1);
     m_grid->setColumnStretch(2, m_isWide && m_hasFrozen ? 1 : 0);
+}
+
+/// The frozen numbers in the colour of its lines, as dark as paper needs it.
+void FootprintTable::colorFrozen()
+{
+    const bool dark = palette().color(QPalette::Window).lightness() < 128;
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText,
+                    dark ? QColor::fromRgbF(kFrozenColor.r, kFrozenColor.g, kFrozenColor.b)
+                         : QColor(0x9c, 0x1f, 0x8a));
+    for (QLabel* label : m_frozen) {
+        label->setPalette(colors);
+    }
+}
+
+void FootprintTable::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        colorFrozen();
+    }
 }
 
 void FootprintTable::resizeEvent(QResizeEvent* event)

@@ -29,10 +29,12 @@ public:
     QString text() const;
 
 protected:
+    void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void place();
+    void colorFrozen();
 
     QGridLayout* m_grid;
     std::array<QLabel*, kFootprintRows> m_names{};

@@ -103,6 +103,10 @@ void SweepPlot::paintEvent(QPaintEvent* /*event*/)
             return QPointF(plot.left() + plot.width() * degrees / kMostDegrees,
                            plot.bottom() - plot.height() * (value - low) / span);
         };
+        if (m_points.empty()) {
+            painter.setPen(palette().color(QPalette::PlaceholderText));
+            painter.drawText(plot, Qt::AlignCenter, tr("over the angle"));
+        }
         QPolygonF line;
         for (const SweepPoint& point : m_points) {
             const double value = onScale(curve, point.*curve.value);

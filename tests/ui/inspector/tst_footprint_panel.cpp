@@ -344,6 +344,25 @@ private slots:
         QVERIFY(!bench.panel->netView().picture());
     }
 
+    void viewMayEndBeforeThePanel()
+    {
+        Document document;
+        Inspection inspection(document);
+        ViewSettings settings;
+        BackgroundJobs jobs;
+        FilterSceneSource source(document, jobs);
+        auto viewport = std::make_unique<Viewport>(document, settings);
+        document.open(noisyProject(), {}, "noise");
+        auto panel = std::make_unique<FootprintPanel>(
+            FootprintWork{document, inspection, settings, source, *viewport});
+        panel->show();
+        inspection.pointAt(kFace, kPoint);
+        QTRY_VERIFY(panel->netView().picture());
+        viewport.reset(); // as a window that ends does
+        panel.reset();
+        QVERIFY(inspection.texel());
+    }
+
     void everyControlIsNamedAndExplained()
     {
         Bench bench;
