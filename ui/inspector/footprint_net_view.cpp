@@ -261,7 +261,7 @@ void FootprintNetView::paintEvent(QPaintEvent* /*event*/)
         painter.drawText(
             rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap, m_hint);
     } else {
-        paintPicture(painter, rect());
+        drawInto(painter, rect());
     }
     if (hasFocus()) {
         painter.setPen(palette().color(QPalette::Highlight));
@@ -270,7 +270,12 @@ void FootprintNetView::paintEvent(QPaintEvent* /*event*/)
     }
 }
 
-void FootprintNetView::paintPicture(QPainter& painter, const QRectF& area) const
+void FootprintNetView::paintPicture(QPainter& painter, QSize size)
+{
+    drawInto(painter, QRectF(QPointF(), QSizeF(size)));
+}
+
+void FootprintNetView::drawInto(QPainter& painter, const QRectF& area) const
 {
     if (!m_picture) {
         return;

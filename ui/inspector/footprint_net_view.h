@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "ui/inspector/footprint_net_painter.h"
+#include "ui/inspector/picture_source.h"
 
 #include <optional>
 
@@ -18,7 +19,7 @@ namespace trixel::ui {
 /// | move the picture | drag elsewhere |
 /// | zoom | wheel, or + and - |
 /// | see the whole footprint again | double-click, or 0 |
-class FootprintNetView : public QWidget
+class FootprintNetView : public QWidget, public PictureSource
 {
     Q_OBJECT
 
@@ -39,8 +40,11 @@ public:
     void fit();
     void zoom(double factor, QPointF about);
 
-    /// Draws what is seen, with its scale of weights, by vectors.
-    void paintPicture(QPainter& painter, const QRectF& area) const;
+    /// What is seen, with its scale of weights, by vectors.
+    QString pictureName() const override { return "footprint"; }
+    QSize pictureSize() const override { return m_picture ? size() : QSize(); }
+    bool isVectorPicture() const override { return true; }
+    void paintPicture(QPainter& painter, QSize size) override;
 
     QSize sizeHint() const override { return {300, 260}; }
     QSize minimumSizeHint() const override { return {160, 160}; }
@@ -64,6 +68,7 @@ protected:
 
 private:
     QRectF area() const;
+    void drawInto(QPainter& painter, const QRectF& area) const;
     std::optional<NetHandle> handleUnder(QPointF position) const;
     void dragTo(QPointF position);
     QString tipAt(QPointF position) const;

@@ -3,6 +3,8 @@
 // The footprint panel as its user meets it: with mouse and keys.
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -315,6 +317,21 @@ private slots:
         QCoreApplication::sendEvent(&view, &wheel);
         QVERIFY(view.view().scale > fitted * 1.5);
         QVERIFY(distance(view.view().toPlane(at), before) < 1e-9);
+    }
+
+    void pictureForPapersIsWhatIsSeen()
+    {
+        Bench bench;
+        QVERIFY(bench.panel->netView().pictureSize().isEmpty());
+        bench.point();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.panel->netView().picture()->weights, 20'000);
+        FootprintNetView& view = bench.panel->netView();
+        QImage seen = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        QImage drawn(view.pictureSize(), QImage::Format_RGB32);
+        QPainter painter(&drawn);
+        static_cast<PictureSource&>(view).paintPicture(painter, drawn.size());
+        painter.end();
+        QCOMPARE(drawn, seen);
     }
 
     void hiddenPanelDoesNothing()
