@@ -10,7 +10,7 @@
 #include <QToolTip>
 
 #include "core/lattice/texel.h"
-#include "ui/docks/readout_text.h"
+#include "core/texture/texel_address.h"
 
 #include <algorithm>
 #include <cmath>
@@ -233,8 +233,7 @@ QString FootprintNetView::tipAt(QPointF position) const
     }
     const FootprintNet::Face& face = m_picture->net.faces[place->face];
     const TexelCoord texel = texelAt(face.level, place->uv);
-    QString tip =
-        tr("Face %1 · %2").arg(static_cast<std::uint32_t>(face.face)).arg(texelText(texel));
+    QString tip = tr("Texel %1").arg(QString::fromStdString(toText(TexelPlace{face.face, texel})));
     if (!m_picture->weights) {
         return tip;
     }
