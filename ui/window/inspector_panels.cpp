@@ -29,7 +29,7 @@ void InspectorPanels::fillMenu(QMenu& menu) const
 {
     QMenu* layout = menu.addMenu(tr("Texel La&yout"));
     layout->addActions(m_layout->switches());
-    QMenu* footprint = menu.addMenu(tr("Foot&print"));
+    QMenu* footprint = menu.addMenu(tr("Loo&k into Footprint"));
     footprint->addActions(m_footprint->actions());
 }
 
@@ -58,14 +58,14 @@ void InspectorPanels::makeLayout(const Workspace& work, const PanelFrames& frame
     work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);
 }
 
-/// Out of the way until wanted, and a column of its own then.
+/// Out of the way until wanted.
 void InspectorPanels::makeFootprint(const Workspace& work, const PanelFrames& frames)
 {
     auto* panel = new FootprintPanel(
         {work.document, work.inspection, work.settings, work.filterScene, work.viewport});
     QDockWidget* dock =
         frames.beside("footprintPanel", tr("Footprint"), panel, {Qt::SHIFT | Qt::Key_F5});
-    work.window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+    work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("readoutPanel"), dock);
     dock->hide();
     m_footprint = new FootprintActions(*panel, *dock, work.window);
 }
