@@ -146,6 +146,9 @@ public:
     bool canDraw() const;
     /// The picture as shown, in device pixels; null where the view cannot draw.
     QImage grabFramebuffer();
+    /// The same, complete and drawn for another density where no picture is laid over the surface.
+    /// \param density  device pixels to a pixel of the widget, > 0
+    QImage picture(double density);
 
 signals:
     /// The texel looked at: held, or under a pointer here or in a panel; nothing when there is

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is laid over the surface: a computed picture, colours of faces, and a marked edge.
+#include <QOpenGLFramebufferObject>
+
 #include "core/base/check.h"
 #include "core/lattice/edge_transfer.h"
 #include "ui/viewport/viewport_private.h"
@@ -97,6 +99,32 @@ void Viewport::showOtherTexels(std::optional<TexelStore> texels)
 bool Viewport::showsOtherTexels() const
 {
     return d->otherTexels.has_value();
+}
+
+QImage Viewport::picture(double density)
+{
+    settle();
+    if (!canDraw() || hasPicture() || density == devicePixelRatioF()) {
+        return grabFramebuffer();
+    }
+    d->canvas->makeCurrent();
+    QImage drawn;
+    {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+        format.setSamples(d->canvas->format().samples());
+        QOpenGLFramebufferObject target((QSizeF(size()) * density).toSize(), format);
+        if (target.isValid() && target.bind()) {
+            render::Scene scene = d->scene();
+            scene.camera.setViewport(target.width(), target.height());
+            scene.surface.pixelRatio = static_cast<float>(density);
+            d->renderer->draw(scene);
+            target.release();
+            drawn = target.toImage().convertToFormat(QImage::Format_RGB32);
+        }
+    }
+    d->canvas->doneCurrent();
+    return drawn.isNull() ? grabFramebuffer() : drawn; // larger than the card can
 }
 
 /// Rows that are not on the card yet; the context is current.

@@ -171,8 +171,6 @@ void FileActions::fillMenu(QMenu& menu)
     menu.addAction(m_saveAs);
     menu.addSeparator();
     menu.addAction(m_export);
-    menu.addSeparator();
-    menu.addAction(m_quit);
 }
 
 void FileActions::open(const QString& path)

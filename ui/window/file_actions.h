@@ -30,6 +30,7 @@ public:
     QAction* newAction() const { return m_new; }
     QAction* openAction() const { return m_open; }
     QAction* saveAction() const { return m_save; }
+    QAction* quitAction() const { return m_quit; }
 
     /// Opens a file, after the question about unsaved changes.
     void open(const QString& path);

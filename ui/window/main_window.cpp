@@ -33,6 +33,7 @@
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_actions.h"
 #include "ui/window/panel_frames.h"
+#include "ui/window/picture_actions.h"
 #include "ui/window/selection_actions.h"
 #include "ui/window/status_line.h"
 #include "ui/window/study_panels.h"
@@ -134,20 +135,25 @@ void MainWindow::makeCenter()
     setCentralWidget(whole);
 }
 
+Workspace MainWindow::workspace()
+{
+    return {*this,
+            m_document,
+            m_selection,
+            m_inspection,
+            m_settings,
+            m_colors,
+            m_jobs,
+            m_filterScene,
+            *m_viewport,
+            *m_viewMap,
+            *m_messages};
+}
+
 void MainWindow::makePanels()
 {
     m_panelActions = new PanelActions(*this, *m_viewport);
-    const Workspace work{*this,
-                         m_document,
-                         m_selection,
-                         m_inspection,
-                         m_settings,
-                         m_colors,
-                         m_jobs,
-                         m_filterScene,
-                         *m_viewport,
-                         *m_viewMap,
-                         *m_messages};
+    const Workspace work = workspace();
     const PanelFrames frames(*this, *m_panelActions);
     m_panels = new WorkPanels(work, frames, this);
     new StudyPanels(work, frames, this);
@@ -161,13 +167,19 @@ void MainWindow::makeMenus()
     m_levelActions = new LevelActions(m_document, m_selection, m_jobs, *m_messages, *this);
     m_toolActions = new ToolActions(m_settings, *this);
     m_brushActions = new BrushActions(m_settings, m_colors, m_panels->brush(), *this);
+    m_pictureActions = new PictureActions(workspace());
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
     m_mapActions = new MapActions(m_settings, *this);
     m_inspectActions =
         new InspectActions(m_document, m_inspection, *m_viewport, m_panels->readout(), *this);
     m_lookActions = new LookActions(m_document, m_settings, m_inspectors->look(), *this);
 
-    m_fileActions->fillMenu(*menuBar()->addMenu(tr("&File")));
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    m_fileActions->fillMenu(*file);
+    file->addSeparator();
+    m_pictureActions->fillMenu(*file);
+    file->addSeparator();
+    file->addAction(m_fileActions->quitAction());
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     m_editActions->fillMenu(*edit);
     edit->addSeparator();

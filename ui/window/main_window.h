@@ -27,6 +27,7 @@ class LookActions;
 class MapActions;
 class MessageBar;
 class PanelActions;
+class PictureActions;
 class SeamPanel;
 class SelectionActions;
 class ToolActions;
@@ -34,6 +35,7 @@ class ViewActions;
 class ViewMap;
 class Viewport;
 class WorkPanels;
+struct Workspace;
 
 /// The window: puts document, view, panels and menus together. What they do lives in them.
 class MainWindow : public QMainWindow
@@ -65,6 +67,7 @@ protected:
 
 private:
     void makeCenter();
+    Workspace workspace();
     void makePanels();
     void makeMenus();
     void makeToolBars();
@@ -100,6 +103,7 @@ private:
     LevelActions* m_levelActions = nullptr;
     ToolActions* m_toolActions = nullptr;
     BrushActions* m_brushActions = nullptr;
+    PictureActions* m_pictureActions = nullptr;
     ViewActions* m_viewActions = nullptr;
     MapActions* m_mapActions = nullptr;
     InspectActions* m_inspectActions = nullptr;
