@@ -15,6 +15,7 @@ namespace trixel::ui {
 namespace {
 
 constexpr int kFaceRole = Qt::UserRole;
+constexpr int kFindingRole = Qt::UserRole + 1;
 
 std::vector<FaceId> facesOf(const std::vector<MeshReport::Edge>& edges)
 {
@@ -49,11 +50,16 @@ ReportPanel::ReportPanel(QWidget* parent)
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setAccessibleName(tr("Findings about the mesh"));
-    m_tree->setToolTip(tr("Choose a face to look at it"));
+    m_tree->setToolTip(
+        tr("Choose a face to select it and go there, a finding to select all its faces"));
     const auto choose = [this](const QTreeWidgetItem* item) {
         const QVariant face = item->data(0, kFaceRole);
         if (face.isValid()) {
             emit faceChosen(FaceId{face.toUInt()});
+        }
+        const QVariant finding = item->data(0, kFindingRole);
+        if (finding.isValid()) {
+            emit facesChosen(m_findings[finding.toUInt()]);
         }
     };
     connect(m_tree, &QTreeWidget::itemClicked, this, choose);
@@ -64,6 +70,7 @@ ReportPanel::ReportPanel(QWidget* parent)
 void ReportPanel::show(const Surface* surface)
 {
     m_tree->clear();
+    m_findings.clear();
     m_tree->setVisible(surface != nullptr && !surface->report().isClean());
     if (surface == nullptr) {
         m_summary->setText(tr("No mesh is open."));
@@ -103,8 +110,10 @@ void ReportPanel::addFinding(const QString& name,
     }
     auto* finding = new QTreeWidgetItem(m_tree);
     finding->setText(0, tr("%1: %2").arg(name).arg(faces.size()));
-    finding->setToolTip(0, tr("%1: %2.").arg(name, cost));
+    finding->setToolTip(0, tr("%1: %2. Click to select them all.").arg(name, cost));
     finding->setFirstColumnSpanned(true);
+    finding->setData(0, kFindingRole, static_cast<uint>(m_findings.size()));
+    m_findings.push_back(faces);
     const std::size_t shown = std::min(faces.size(), kFacesShown);
     for (std::size_t k = 0; k < shown; ++k) {
         const auto face = static_cast<quint32>(faces[k]);

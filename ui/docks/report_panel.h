@@ -34,12 +34,15 @@ public:
 signals:
     /// The user wants to see a face.
     void faceChosen(trixel::FaceId face);
+    /// All faces of a finding.
+    void facesChosen(const std::vector<trixel::FaceId>& faces);
 
 private:
     void addFinding(const QString& name, const QString& cost, const std::vector<FaceId>& faces);
 
     QLabel* m_summary;
     QTreeWidget* m_tree;
+    std::vector<std::vector<FaceId>> m_findings; ///< in the order of the rows
 };
 
 } // namespace trixel::ui

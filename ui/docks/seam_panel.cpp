@@ -218,6 +218,7 @@ void SeamPanel::forget()
     m_job = nullptr;
     m_report.reset();
     m_model->setReport(nullptr);
+    emit reported(nullptr);
     m_comparison->clear();
     m_isOutdated = false;
     m_source.want(*this, false);
@@ -299,6 +300,7 @@ void SeamPanel::take(const Task& task, const Result<SeamReport>& report)
         m_reported = task.method;
         m_table->horizontalHeader()->setSortIndicator(SeamModel::Jump, Qt::DescendingOrder);
         m_model->setReport(m_report);
+        emit reported(m_report);
     }
     addToComparison(task.method, summarize(report->jumps));
     if (m_tasks.empty()) {

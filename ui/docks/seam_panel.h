@@ -52,6 +52,8 @@ public:
 signals:
     /// The user wants to see an edge.
     void edgeChosen(trixel::ui::SurfaceEdge edge);
+    /// The edges of another report are listed; null for none.
+    void reported(const std::shared_ptr<const trixel::SeamReport>& report);
 
 private:
     /// What is to be measured, and whether its edges are to be listed.

@@ -161,9 +161,16 @@ std::vector<FaceId> FaceSelection::usable(std::vector<FaceId> faces) const
 {
     const std::size_t count = faceCount();
     std::erase_if(faces, [count](FaceId face) { return indexOf(face) >= count; });
-    if (!std::ranges::is_sorted(faces)) {
-        std::ranges::sort(faces);
+    if (std::ranges::is_sorted(faces)) {
+        faces.erase(std::ranges::unique(faces).begin(), faces.end());
+        return faces;
     }
+    // Many faces, as a sorted table has them, are in order sooner by marking them.
+    constexpr std::size_t kMany = 32;
+    if (faces.size() > count / kMany) {
+        return marksOf(faces, count).faces();
+    }
+    std::ranges::sort(faces);
     faces.erase(std::ranges::unique(faces).begin(), faces.end());
     return faces;
 }

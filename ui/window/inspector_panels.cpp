@@ -11,6 +11,9 @@
 #include "ui/look/look_overlay.h"
 #include "ui/look/look_panel.h"
 #include "ui/window/footprint_actions.h"
+#include "ui/inspector/face_panel.h"
+#include "ui/viewport/viewport.h"
+#include "ui/window/message_bar.h"
 #include "ui/window/panel_frames.h"
 #include "ui/window/workspace.h"
 
@@ -23,6 +26,12 @@ InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frame
     makeLook(work, frames);
     makeLayout(work, frames);
     makeFootprint(work, frames);
+    makeFaces(work, frames);
+}
+
+void InspectorPanels::showSeams(const std::shared_ptr<const SeamReport>& report)
+{
+    m_faces->setSeams(report);
 }
 
 void InspectorPanels::fillMenu(QMenu& menu) const
@@ -68,6 +77,17 @@ void InspectorPanels::makeFootprint(const Workspace& work, const PanelFrames& fr
     work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("readoutPanel"), dock);
     dock->hide();
     m_footprint = new FootprintActions(*panel, *dock, work.window);
+}
+
+void InspectorPanels::makeFaces(const Workspace& work, const PanelFrames& frames)
+{
+    m_faces =
+        new FacePanel(work.document, work.selection, work.inspection, work.settings, work.jobs);
+    QDockWidget* dock = frames.below("facesPanel", tr("Faces"), m_faces, {Qt::SHIFT | Qt::Key_F8});
+    work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);
+    connect(m_faces, &FacePanel::faceChosen, &work.viewport, &Viewport::frameFace);
+    connect(m_faces, &FacePanel::written, &work.messages, &MessageBar::showNote);
+    connect(m_faces, &FacePanel::failed, &work.messages, &MessageBar::showError);
 }
 
 } // namespace trixel::ui

@@ -3,11 +3,16 @@
 
 #include <QObject>
 
+#include "core/study/seam_meter.h"
+
+#include <memory>
+
 class QMenu;
 
 namespace trixel::ui {
 
 class FootprintActions;
+class FacePanel;
 class LayoutPanel;
 class LookPanel;
 class PanelFrames;
@@ -26,15 +31,19 @@ public:
     LayoutPanel& layout() const { return *m_layout; }
     /// What is switched in the panels, so that the command palette finds it.
     void fillMenu(QMenu& menu) const;
+    /// The seams that the table of faces tells of; null for none.
+    void showSeams(const std::shared_ptr<const SeamReport>& report);
 
 private:
     void makeLook(const Workspace& work, const PanelFrames& frames);
     void makeLayout(const Workspace& work, const PanelFrames& frames);
     void makeFootprint(const Workspace& work, const PanelFrames& frames);
+    void makeFaces(const Workspace& work, const PanelFrames& frames);
 
     LookPanel* m_look;
     LayoutPanel* m_layout = nullptr;
     FootprintActions* m_footprint = nullptr;
+    FacePanel* m_faces = nullptr;
 };
 
 } // namespace trixel::ui

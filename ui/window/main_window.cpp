@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/docks/seam_panel.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -158,6 +159,7 @@ void MainWindow::makePanels()
     m_panels = new WorkPanels(work, frames, this);
     new StudyPanels(work, frames, this);
     m_inspectors = new InspectorPanels(work, frames, this);
+    connect(&m_panels->seams(), &SeamPanel::reported, m_inspectors, &InspectorPanels::showSeams);
 }
 
 void MainWindow::makeMenus()

@@ -6,6 +6,7 @@
 
 #include "ui/docks/chart_panel.h"
 #include "ui/docks/stability_panel.h"
+#include "ui/document/face_selection.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/panel_frames.h"
@@ -25,7 +26,10 @@ StudyPanels::StudyPanels(const Workspace& work, const PanelFrames& frames, QObje
     connect(chart, &ChartPanel::written, &work.messages, &MessageBar::showNote);
     connect(stability, &StabilityPanel::failed, &work.messages, &MessageBar::showError);
     connect(stability, &StabilityPanel::written, &work.messages, &MessageBar::showNote);
-    connect(stability, &StabilityPanel::faceChosen, &work.viewport, &Viewport::frameFace);
+    connect(stability, &StabilityPanel::faceChosen, this, [work](FaceId face) {
+        work.selection.set({face});
+        work.viewport.frameFace(face);
+    });
 }
 
 } // namespace trixel::ui

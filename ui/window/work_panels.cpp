@@ -14,6 +14,7 @@
 #include "ui/docks/seam_panel.h"
 #include "ui/docks/views_panel.h"
 #include "ui/document/document.h"
+#include "ui/document/face_selection.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/hover_filter.h"
 #include "ui/viewport/viewport.h"
@@ -95,7 +96,11 @@ void WorkPanels::makeMesh()
 {
     m_report = new ReportPanel;
     share(*m_frames.beside("reportPanel", tr("Mesh"), m_report, {Qt::Key_F4}));
-    connect(m_report, &ReportPanel::faceChosen, &m_work.viewport, &Viewport::frameFace);
+    connect(m_report, &ReportPanel::faceChosen, this, [this](FaceId face) {
+        m_work.selection.set({face});
+        m_work.viewport.frameFace(face);
+    });
+    connect(m_report, &ReportPanel::facesChosen, &m_work.selection, &FaceSelection::set);
 }
 
 void WorkPanels::makeHistory()
@@ -113,6 +118,8 @@ void WorkPanels::makeSeams()
         m_work.document, m_work.settings, m_work.filterScene, m_work.jobs, m_work.viewport);
     share(*m_frames.beside("seamPanel", tr("Seams"), m_seams, {Qt::Key_F7}));
     connect(m_seams, &SeamPanel::edgeChosen, &m_work.viewport, [this](SurfaceEdge edge) {
+        const auto across = m_work.document.surface()->adjacency().neighbour(edge.face, edge.edge);
+        m_work.selection.set({edge.face, across ? across->face : edge.face});
         m_work.viewport.markEdge(edge);
         m_work.viewport.frameEdge(edge);
     });
