@@ -40,6 +40,7 @@ public:
     Status comparedFilters();
     Status footprint();
     Status seamMeter();
+    Status faceTable();
     Status sweptHazards();
 
 private:
@@ -50,6 +51,7 @@ private:
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
     Status lowLevels();
+    Status copiedPicture();
     /// Runs the command that the palette lists first for the words.
     Status command(const QString& words);
 

@@ -62,6 +62,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::comparedFilters,
                             &Stops::footprint,
                             &Stops::seamMeter,
+                            &Stops::faceTable,
                             &Stops::newProject,
                             &Stops::exportedTexture,
                             &Stops::measuredChart,

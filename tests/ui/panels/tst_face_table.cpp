@@ -10,10 +10,14 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "core/base/read_file.h"
 #include "tests/ui/window/window_fixture.h"
+#include "ui/docks/report_panel.h"
+#include "ui/docks/seam_model.h"
 #include "ui/docks/seam_panel.h"
+#include "ui/docks/stability_panel.h"
 #include "ui/document/inspection.h"
 #include "ui/inspector/face_listing.h"
 #include "ui/inspector/face_panel.h"
@@ -419,6 +423,62 @@ private slots:
         panel().save(path("no/such/faces.csv"));
         QTRY_VERIFY(m_window->messages().kind() == MessageBar::Kind::Error);
         QVERIFY(m_window->messages().sentence().contains("no/such"));
+    }
+
+    void aFaceChosenInTheFindingsIsSelected()
+    {
+        open();
+        TriangleMesh mesh = gridMesh(4);
+        mesh.triangles.push_back(mesh.triangles[5]); // on top of another: 5 and 32
+        NoProgress progress;
+        const LevelPlan plan = planUniform(mesh.faceCount(), Level(1));
+        const std::vector<float> fill{0.8F, 0.8F, 0.8F};
+        document().open(newProject(std::move(mesh), plan, {}, fill, progress).value(), {}, "odd");
+        QTRY_COMPARE(model().rowCount(), 33);
+        auto* report = m_window->findChild<ReportPanel*>();
+        qobject_cast<QDockWidget*>(report->parentWidget())->raise();
+        QCoreApplication::processEvents();
+        auto* tree = report->findChild<QTreeWidget*>();
+        QTreeWidgetItem* finding = nullptr;
+        for (int k = 0; k < tree->topLevelItemCount(); ++k) {
+            if (tree->topLevelItem(k)->text(0).startsWith("Faces on top")) {
+                finding = tree->topLevelItem(k);
+            }
+        }
+        QVERIFY(finding);
+        QTest::mouseClick(
+            tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(finding).center());
+        const std::size_t all = selected().size();
+        QVERIFY(all >= 1);
+        QVERIFY(model()
+                    .index(*model().rowOf(selected().front()), 0)
+                    .data(FaceTableModel::SelectedRole)
+                    .toBool());
+        finding->setExpanded(true);
+        QTest::mouseClick(
+            tree->viewport(), Qt::LeftButton, {}, tree->visualItemRect(finding->child(0)).center());
+        QCOMPARE(selected(), faces({finding->child(0)->data(0, Qt::UserRole).toUInt()}));
+    }
+
+    void aSeamAndAHazardThatAreGoneToAreSelected()
+    {
+        open();
+        fillFace(20);
+        m_window->settings().setMethod({"point", std::nullopt});
+        qobject_cast<QDockWidget*>(m_window->seams().parentWidget())->raise();
+        m_window->seams().measure();
+        QTRY_VERIFY(m_window->seams().report() && m_window->seams().model().rowCount() > 0);
+        auto* seams = m_window->seams().findChild<QTableView*>();
+        QTRY_VERIFY(seams->isVisible());
+        const SeamJump jump = m_window->seams().model().jumpAt(1);
+        QTest::mouseClick(seams->viewport(),
+                          Qt::LeftButton,
+                          {},
+                          seams->visualRect(seams->model()->index(1, 0)).center());
+        std::vector<FaceId> both{jump.face, jump.neighbour};
+        QCOMPARE(selected(), both);
+        emit m_window->findChild<StabilityPanel*>()->faceChosen(FaceId{77});
+        QCOMPARE(selected(), faces({77}));
     }
 
     void anEmptyTableSaysWhatToDo()
