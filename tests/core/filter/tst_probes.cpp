@@ -361,3 +361,22 @@ TEST_P(PyramidMethods, countABordersProbesOutSmoothly)
         ASSERT_NEAR(results.values[k], results.values[k - 1], 5e-3F) << k;
     }
 }
+
+TEST_P(PyramidMethods, readNothingAtTheStartOfAFaceThatLiesElsewhere)
+{
+    // Differences are summed from a value under the footprint, not from where the face's begin.
+    const TexelStore store =
+        storeOf(FaceMap<Level>(2, Level(6)), 1, [](FaceId, glm::dvec2 uv, int) {
+            constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+            return uv.x + uv.y < 0.05 ? kNone : 0.25F;
+        });
+    const FilterScene scene = sceneOf(flatLattice(1), store);
+    QueryArrays queries;
+    for (int k = 0; k < 7; ++k) {
+        const double width = std::exp2(-k - 6);
+        queries.add(faceId(0), {0.5, 0.4}, {0.5 * width, -width}, {width, 0.0});
+    }
+    for (const float value : answers(GetParam(), scene, queries).values) {
+        EXPECT_EQ(value, 0.25F);
+    }
+}
