@@ -7,6 +7,7 @@
 #include "core/study/fit/scene_fit.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -20,6 +21,7 @@ struct Arguments
     std::string project;
     std::string cameras;
     std::string tolerance = "1/255";
+    std::string unseen{nameOf(UnseenFaces::OneTexel)};
     std::string output;
     bool json = false;
     bool dryRun = false;
@@ -38,6 +40,17 @@ Result<double> toleranceOf(const std::string& text)
         return above ? below : above;
     }
     return *above / *below;
+}
+
+Result<UnseenFaces> unseenNamed(std::string_view name)
+{
+    const auto found =
+        std::ranges::find(kUnseenFaces, name, [](UnseenFaces unseen) { return nameOf(unseen); });
+    if (found == kUnseenFaces.end()) {
+        return contentsError("--unseen: expected one-texel or by-distance, found '" +
+                             std::string(name) + "'.");
+    }
+    return *found;
 }
 
 Result<SceneViews> readCameras(const std::string& path)
@@ -60,7 +73,7 @@ std::string decimal(double number, int digits)
     return {text.data(), static_cast<std::size_t>(std::max(length, 0))};
 }
 
-nlohmann::json toJson(const SceneFit& fit, double tolerance)
+nlohmann::json toJson(const SceneFit& fit, double tolerance, const std::string& unseen)
 {
     const FitPlan& plan = fit.plan;
     nlohmann::json json = {{"texelsBefore", plan.cost.texelsBefore},
@@ -68,7 +81,10 @@ nlohmann::json toJson(const SceneFit& fit, double tolerance)
                            {"bytesBefore", plan.cost.bytesBefore},
                            {"bytesAfter", plan.cost.bytesAfter},
                            {"facesChanged", plan.cost.changedFaces},
+                           {"unseen", unseen},
                            {"facesUnseen", plan.unseenFaces},
+                           {"texelsUnseenBefore", plan.unseenTexelsBefore},
+                           {"texelsUnseenAfter", plan.unseenTexelsAfter},
                            {"tolerance", tolerance},
                            {"rms", plan.rms},
                            {"worstPart", plan.worstPart},
@@ -96,8 +112,10 @@ void print(const SceneFit& fit, double tolerance)
               << grouped(cost.texelsAfter) << " (" << decimal(times, 3) << " times fewer)\n"
               << "memory       " << byteSizeText(cost.bytesBefore) << " -> "
               << byteSizeText(cost.bytesAfter) << "\n"
-              << "faces        " << grouped(cost.changedFaces) << " change, "
-              << grouped(plan.unseenFaces) << " are in no picture\n"
+              << "faces        " << grouped(cost.changedFaces) << " change\n"
+              << "unseen       " << grouped(plan.unseenFaces) << " faces, whose texels go "
+              << grouped(plan.unseenTexelsBefore) << " -> " << grouped(plan.unseenTexelsAfter)
+              << "\n"
               << "error        RMS " << decimal(plan.rms, 3) << " over the mesh, "
               << decimal(plan.worstPart, 3) << " in its worst part; the tolerance is "
               << decimal(tolerance, 3) << "\n";
@@ -133,6 +151,10 @@ Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
     if (!tolerance) {
         return tl::unexpected(tolerance.error());
     }
+    const auto unseen = unseenNamed(arguments.unseen);
+    if (!unseen) {
+        return tl::unexpected(unseen.error());
+    }
     const auto views = readCameras(arguments.cameras);
     if (!views) {
         return tl::unexpected(views.error());
@@ -143,8 +165,8 @@ Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
         return tl::unexpected(project.error());
     }
     StageProgress fitting(progress, 0.05, 0.97);
-    auto fitted =
-        fitScene(*project->surface, project->texels, {*views, *tolerance}, Threads::all(), fitting);
+    auto fitted = fitScene(
+        *project->surface, project->texels, {*views, *tolerance, *unseen}, Threads::all(), fitting);
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
@@ -156,7 +178,7 @@ Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
         }
     }
     if (arguments.json) {
-        printJson(toJson(*fitted, *tolerance));
+        printJson(toJson(*fitted, *tolerance, arguments.unseen));
     } else {
         print(*fitted, *tolerance);
     }
@@ -181,6 +203,12 @@ void addFit(CLI::App& parser, Work& chosen)
                      "RMS difference allowed in any picture that the cameras cover, in the unit of "
                      "the values (integers: 0 to 1); 1/255 by default")
         ->type_name("E");
+    verb->add_option("--unseen",
+                     arguments->unseen,
+                     "Faces that no camera sees, outside every picture or hidden: one-texel (the "
+                     "default) leaves them their mean, by-distance fits them as if each camera "
+                     "turned to them and nothing stood in between")
+        ->type_name("WHAT");
     verb->add_option("-o,--output", arguments->output, "Project to write (.trixel)")
         ->type_name("FILE");
     verb->add_flag("--dry-run", arguments->dryRun, "Tell what it would do, write nothing");

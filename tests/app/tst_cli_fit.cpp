@@ -52,6 +52,31 @@ TEST_F(Fit, dryRunWritesNothing)
     EXPECT_EQ(files(), before);
 }
 
+TEST_F(Fit, facesThatNoCameraSeesKeepOneTexelUnlessTheyAreWanted)
+{
+    const std::string file = painted();
+    // From straight below: the other three faces are hidden.
+    const std::string views = write("below.json",
+                                    R"({"version":1,"cameras":[{"position":[0.3,0.3,-5],)"
+                                    R"("target":[0.3,0.3,0],"fovY":20,"size":[800,600]}]})");
+    const auto fitted = [&](const std::vector<std::string>& choice) {
+        std::vector<std::string> arguments = {
+            "fit", file, "--cameras", views, "--dry-run", "--json"};
+        arguments.insert(arguments.end(), choice.begin(), choice.end());
+        return jsonOf(runTrixel(arguments).out);
+    };
+    const auto one = fitted({});
+    EXPECT_EQ(one["unseen"], "one-texel");
+    const auto all = fitted({"--unseen", "by-distance"});
+    EXPECT_EQ(all["unseen"], "by-distance");
+    for (const auto& json : {one, all}) {
+        EXPECT_EQ(json["facesUnseen"], 3);
+        EXPECT_EQ(json["texelsUnseenBefore"], 768);
+    }
+    EXPECT_LT(one["texelsUnseenAfter"], all["texelsUnseenAfter"]);
+    EXPECT_LT(one["texelsAfter"], all["texelsAfter"]);
+}
+
 TEST_F(Fit, unusableArgumentsAreNamed)
 {
     const std::string file = painted();
@@ -65,6 +90,8 @@ TEST_F(Fit, unusableArgumentsAreNamed)
             runTrixel({"fit", file, "--cameras", views, "--tolerance", tolerance, "-o", out}),
             FailsWith(2, "--tolerance"));
     }
+    EXPECT_THAT(runTrixel({"fit", file, "--cameras", views, "--unseen", "all", "-o", out}),
+                FailsWith(2, "--unseen: expected one-texel or by-distance"));
     EXPECT_THAT(runTrixel({"fit", file, "--cameras", path("none.json"), "-o", out}),
                 FailsWith(3, "none.json"));
     const std::string bad = write("bad.json", R"({"version":1,"cameras":[{}]})");

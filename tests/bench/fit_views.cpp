@@ -2,7 +2,7 @@
 //
 // The promise of a fit on the sample scene: one camera at so many sizes of the model, then random
 // views that it covers, rendered through `exact` before and after.
-// Usage: fit_views CHAMELEON.obj STROKES.json [DISTANCE [VIEWS [STEP]]]
+// Usage: fit_views CHAMELEON.obj STROKES.json [DISTANCE [VIEWS [STEP [one-texel|by-distance]]]]
 #include "core/base/read_file.h"
 #include "core/io/sample_scene.h"
 #include "core/study/fit/fit.h"
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <string_view>
 
 namespace trixel {
 namespace {
@@ -24,6 +25,7 @@ struct Options
     double distance = 8;
     int views = 100;
     int step = 3; ///< one pixel of each step × step stands for all
+    UnseenFaces unseen = UnseenFaces::OneTexel;
 };
 
 ViewCamera modelCamera(const Surface& surface, double distance)
@@ -47,14 +49,27 @@ FilterScene sceneOf(const Surface& surface, const TexelStore& texels)
     return FilterScene::build(shapes, texels, Threads::all(), progress).value();
 }
 
+void print(const char* title, std::vector<double> errors)
+{
+    std::ranges::sort(errors);
+    if (!errors.empty()) {
+        std::printf("%zu %s: median %.3f, 90 %% below %.3f, worst %.3f\n",
+                    errors.size(),
+                    title,
+                    errors[errors.size() / 2],
+                    errors[errors.size() * 9 / 10],
+                    errors.back());
+    }
+}
+
 int run(const Project& project, const Options& options)
 {
     NoProgress progress;
     const Surface& surface = *project.surface;
     const SceneViews scene{{modelCamera(surface, options.distance)}, {}};
     const std::clock_t begin = std::clock();
-    const auto plan =
-        planFit(surface, project.texels, {scene, kTolerance}, Threads::all(), progress);
+    const auto plan = planFit(
+        surface, project.texels, {scene, kTolerance, options.unseen}, Threads::all(), progress);
     if (!plan) {
         std::printf("%s\n", plan.error().message.c_str());
         return 1;
@@ -70,6 +85,11 @@ int run(const Project& project, const Options& options)
                 255 * plan->worstPart,
                 255 * plan->worstFace,
                 static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    std::printf("no view sees %u of %u faces: their texels %llu -> %llu\n",
+                plan->unseenFaces,
+                project.texels.faceCount(),
+                static_cast<unsigned long long>(plan->unseenTexelsBefore),
+                static_cast<unsigned long long>(plan->unseenTexelsAfter));
     std::fflush(stdout);
     TexelStore fitted = project.texels;
     applyFit(*plan, fitted);
@@ -94,15 +114,22 @@ int run(const Project& project, const Options& options)
                         error.pixels);
         }
     }
-    std::ranges::sort(errors);
-    if (!errors.empty()) {
-        std::printf("%zu covered views: median %.3f, 90 %% below %.3f, worst %.3f\n",
-                    errors.size(),
-                    errors[errors.size() / 2],
-                    errors[errors.size() * 9 / 10],
-                    errors.back());
+    print("covered views", errors);
+    for (std::size_t k = 0; k < covered.tallies().size(); ++k) {
+        const auto& tally = covered.tallies()[k];
+        std::printf("%3.0f to %3.0f degrees off the camera: %zu tried, %zu covered\n",
+                    covered.kTallyDegrees * static_cast<double>(k),
+                    covered.kTallyDegrees * static_cast<double>(k + 1),
+                    tally.tried,
+                    tally.covered);
     }
-    return !errors.empty() && errors.back() > 255 * kTolerance ? 1 : 0;
+    std::vector<double> others;
+    for (int k = 0; k < options.views; ++k) {
+        others.push_back(255 * errorOf(covered.nextUncovered()).rms);
+    }
+    print("views that are not covered, for information", others);
+    const bool exceeds = std::ranges::any_of(errors, [](double e) { return e > 255 * kTolerance; });
+    return exceeds ? 1 : 0;
 }
 
 } // namespace
@@ -111,7 +138,8 @@ int run(const Project& project, const Options& options)
 int main(int argc, char** argv)
 {
     if (argc < 3) {
-        std::printf("fit_views CHAMELEON.obj STROKES.json [DISTANCE [VIEWS [STEP]]]\n");
+        std::printf("fit_views CHAMELEON.obj STROKES.json [DISTANCE [VIEWS [STEP "
+                    "[one-texel|by-distance]]]]\n");
         return 2;
     }
     trixel::NoProgress progress;
@@ -130,5 +158,8 @@ int main(int argc, char** argv)
     options.distance = argc > 3 ? std::atof(argv[3]) : options.distance;
     options.views = argc > 4 ? std::atoi(argv[4]) : options.views;
     options.step = argc > 5 ? std::atoi(argv[5]) : options.step;
+    if (argc > 6 && std::string_view(argv[6]) == "by-distance") {
+        options.unseen = trixel::UnseenFaces::ByDistance;
+    }
     return trixel::run(*project, options);
 }

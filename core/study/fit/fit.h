@@ -9,7 +9,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/surface.h"
-#include "core/study/views/view_camera.h"
+#include "core/study/fit/face_views.h"
 #include "core/texture/level_change.h"
 #include "core/texture/texel_patch.h"
 
@@ -27,20 +27,23 @@ struct FitSettings
     /// RMS over a picture's pixels that see the mesh and over all channels, before against after,
     /// both through `exact`; in the unit of the texel values (integers: [0,1]).
     double tolerance = 1.0 / 255;
+    UnseenFaces unseen = UnseenFaces::OneTexel;
 };
 
 /// What would be done, and how it was measured.
 struct FitPlan
 {
     FaceMap<Level> levels;
-    /// RMS of each face at the finest footprint that a covered view can have there; NaN where no
-    /// view frames it.
+    /// RMS of each face at the finest footprint that a covered view can have there; NaN where it is
+    /// not judged.
     FaceMap<float> errors;
     LevelCost cost;
-    double rms = 0;       ///< over all faces that a view frames, by pixels
+    double rms = 0;       ///< over all judged faces, by pixels
     double worstPart = 0; ///< RMS of the worst patch of about 2,048 pixels
     double worstFace = 0;
-    std::uint32_t unseenFaces = 0; ///< framed by no view: they go to level 0
+    std::uint32_t unseenFaces = 0;        ///< no view sees them
+    std::uint64_t unseenTexelsBefore = 0; ///< of those faces
+    std::uint64_t unseenTexelsAfter = 0;
 
     /// The faces that change, at their new levels, and those beside them that keep theirs but have
     /// their texels moved: a coarser neighbour lets the filter blur them more.

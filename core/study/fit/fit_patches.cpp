@@ -54,7 +54,7 @@ public:
     void choose()
     {
         for (std::size_t f = 0; f < m_levels.size(); ++f) {
-            if (m_samples.isSeen(faceId(f))) {
+            if (m_samples.isJudged(faceId(f))) {
                 offer(faceId(f));
             }
         }
@@ -156,7 +156,7 @@ public:
 private:
     void reach(FaceId face, std::vector<FaceId>& faces)
     {
-        if (m_reached[indexOf(face)] != m_patch && m_samples.isSeen(face)) {
+        if (m_reached[indexOf(face)] != m_patch && m_samples.isJudged(face)) {
             m_reached[indexOf(face)] = m_patch;
             faces.push_back(face);
         }
@@ -177,7 +177,7 @@ FitPatches fitPatches(const Adjacency& adjacency, const FitSamples& samples)
     std::vector<bool> isInner(adjacency.faceCount());
     PatchGrower grower(adjacency, samples);
     for (std::size_t f = 0; f < adjacency.faceCount(); ++f) {
-        if (isInner[f] || !samples.isSeen(faceId(f))) {
+        if (isInner[f] || !samples.isJudged(faceId(f))) {
             continue;
         }
         const std::size_t first = patches.faces.size();

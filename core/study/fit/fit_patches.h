@@ -34,7 +34,7 @@ struct FitPatches
 };
 
 /// Each grown across edges, breadth first, from the lowest face that is not yet within the inner
-/// quarter of another. Faces that no view frames are in no patch.
+/// quarter of another. Faces that are not judged are in no patch.
 FitPatches fitPatches(const Adjacency& adjacency, const FitSamples& samples);
 
 /// Mean of `squares` over a patch, by pixels.

@@ -10,14 +10,14 @@
 namespace trixel {
 namespace {
 
-/// A covered view may show the edge of what its camera frames with part of a footprint beyond.
-constexpr double kFrameMargin = 4; // pixels
 constexpr double kNever = std::numeric_limits<double>::infinity();
 const Level kMostCells(4);
 /// Fewer points would let faces pass by luck.
 const Level kFewestCells(1);
 /// Where the pixels of a face are counted.
 const Level kSurveyCells(1);
+/// The same where part of it is hidden.
+const Level kPartCells(3);
 
 struct Sample
 {
@@ -58,7 +58,7 @@ class FaceSampler
 public:
     FaceSampler(const Surface& surface,
                 const FilterSurface& shapes,
-                const SceneViews& views,
+                const FaceViews& views,
                 FaceId face)
         : m_corners(surface.mesh().corners(face))
         , m_area(shapes.shape(face).e1.x * shapes.shape(face).e2.y / 2)
@@ -67,23 +67,28 @@ public:
     {
     }
 
-    /// Pixels in all, and the finest spacing.
-    std::pair<double, double> survey() const
+    /// How much of the face is seen, and how closely.
+    struct Survey
     {
-        double perUnit = 0; // pixels per unit of area, summed
+        double pixels = 0;
         double finest = kNever;
-        for (std::uint32_t cell = 0; cell < kSurveyCells.texelCount(); ++cell) {
-            const Sample sample =
-                at(centroid(kSurveyCells, texelAt(kSurveyCells, static_cast<TexelIndex>(cell))));
-            perUnit += 1 / (sample.spacing * sample.spacing);
-            finest = std::min(finest, sample.spacing);
+        bool isWhole = true; ///< whether every point that was asked is seen
+
+        void add(double spacing)
+        {
+            pixels += 1 / (spacing * spacing);
+            finest = std::min(finest, spacing);
+            isWhole = isWhole && spacing < kNever;
         }
-        for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
-            const Sample sample = at(corner);
-            perUnit += 1 / (sample.spacing * sample.spacing);
-            finest = std::min(finest, sample.spacing);
+    };
+
+    Survey survey() const
+    {
+        Survey survey = surveyAt(kSurveyCells);
+        if (!survey.isWhole) {
+            survey = surveyAt(kPartCells);
         }
-        return {m_area * perUnit / (kSurveyCells.texelCount() + 3.0), finest};
+        return survey.finest < kNever ? survey : surveyOfSliver();
     }
 
     std::vector<Sample> samples(double pixels, double finest, Level level) const
@@ -100,21 +105,47 @@ public:
                 found.push_back(sample);
             }
         }
-        if (found.empty() && finest < kNever) {
+        if (found.empty()) { // what is seen lies between the points
             found.push_back({glm::dvec2(1.0 / 3.0), finest});
         }
         return found;
     }
 
 private:
+    Survey surveyAt(Level cells) const
+    {
+        Survey survey;
+        for (std::uint32_t cell = 0; cell < cells.texelCount(); ++cell) {
+            survey.add(at(centroid(cells, texelAt(cells, static_cast<TexelIndex>(cell)))).spacing);
+        }
+        for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+            survey.add(at(corner).spacing);
+        }
+        survey.pixels *= m_area / (cells.texelCount() + 3.0);
+        return survey;
+    }
+
+    /// Of a face that is seen, but at none of the points.
+    Survey surveyOfSliver() const
+    {
+        double spacing = kNever;
+        for (const glm::vec3 corner : m_corners) {
+            spacing = std::min(spacing, m_views.spacingUnhidden(m_face, glm::dvec3(corner)));
+        }
+        Survey survey;
+        survey.add(spacing);
+        survey.pixels *= m_area / (4.0 * kPartCells.texelCount());
+        return survey;
+    }
+
     Sample at(glm::dvec2 uv) const
     {
-        return {uv, m_views.finestSpacing(positionAt(m_corners, uv), kFrameMargin)};
+        return {uv, m_views.finestSpacing(m_face, positionAt(m_corners, uv))};
     }
 
     std::array<glm::vec3, 3> m_corners;
     double m_area;
-    const SceneViews& m_views;
+    const FaceViews& m_views;
     FaceId m_face;
 };
 
@@ -128,7 +159,7 @@ std::array<glm::vec2, 2> roundFootprint(const FaceShape& shape, double spacing)
 FitSamples fitSamples(const Surface& surface,
                       const FilterSurface& shapes,
                       const FaceMap<Level>& levels,
-                      const SceneViews& views,
+                      const FaceViews& views,
                       Threads threads)
 {
     const std::size_t faces = surface.mesh().faceCount();
@@ -139,11 +170,11 @@ FitSamples fitSamples(const Surface& surface,
     parallelFor(faces, 64, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             const FaceSampler sampler(surface, shapes, views, faceId(f));
-            const auto [pixels, finest] = sampler.survey();
-            all.pixels[faceId(f)] = pixels;
-            all.spacing[faceId(f)] = finest;
-            if (finest < kNever) {
-                found[f] = sampler.samples(pixels, finest, levels[faceId(f)]);
+            const auto survey = sampler.survey();
+            all.pixels[faceId(f)] = survey.pixels;
+            all.spacing[faceId(f)] = survey.finest;
+            if (survey.finest < kNever) {
+                found[f] = sampler.samples(survey.pixels, survey.finest, levels[faceId(f)]);
             }
         }
     });

@@ -7,8 +7,7 @@
 #include "core/base/face_map.h"
 #include "core/filter/filter_queries.h"
 #include "core/filter/filter_scene.h"
-#include "core/mesh/surface.h"
-#include "core/study/views/view_camera.h"
+#include "core/study/fit/face_views.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,13 +19,14 @@ struct FitSamples
     /// Round footprints, one finest spacing wide; those of face f from begin[f] to begin[f + 1].
     QueryArrays queries;
     std::vector<std::uint32_t> begin;
-    /// Pixels that a face fills when it is seen from straight above at the finest spacing; 0 where
-    /// no view frames it.
+    /// Pixels that what is seen of a face fills from straight above at the finest spacing; 0 where
+    /// it is not judged.
     FaceMap<double> pixels;
-    /// Finest spacing met on the face, world units per pixel; infinite where no view frames it.
+    /// Finest spacing met on the face, world units per pixel; infinite where it is not judged.
     FaceMap<double> spacing;
 
-    bool isSeen(FaceId face) const { return pixels[face] > 0; }
+    /// Whether the fit keeps what is seen of a face.
+    bool isJudged(FaceId face) const { return pixels[face] > 0; }
 };
 
 /// Where a face is judged: about one point a pixel, up to 256 a face, spread evenly and at random
@@ -35,7 +35,7 @@ struct FitSamples
 FitSamples fitSamples(const Surface& surface,
                       const FilterSurface& shapes,
                       const FaceMap<Level>& levels,
-                      const SceneViews& views,
+                      const FaceViews& views,
                       Threads threads);
 
 /// W1 and W2, in (u,v), of a round footprint.

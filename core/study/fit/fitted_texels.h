@@ -4,41 +4,12 @@
 // the texels it replaces.
 #pragma once
 
-#include "core/filter/filter_method.h"
-#include "core/study/fit/fit_samples.h"
+#include "core/study/fit/fit_points.h"
 
-#include <glm/vec4.hpp>
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace trixel {
-
-/// What a fit starts from. Refers to the surface and the store's texels, which it shares.
-struct FitSource
-{
-    std::shared_ptr<const FilterSurface> shapes;
-    TexelStore texels;
-    TexelStore floats; ///< the same texels as float
-    FilterScene scene; ///< of `texels`
-    FitSamples samples;
-    /// What corrected texels are kept within: the values the texels span, [0,1] for integers.
-    float least = 0, most = 1;
-
-    /// Fails only when cancelled.
-    static Result<FitSource> make(const Surface& surface,
-                                  const TexelStore& texels,
-                                  const SceneViews& views,
-                                  Threads threads,
-                                  Progress& progress);
-};
-
-/// Every channel of every query as `exact` sees it, channel after channel. Fails only when
-/// cancelled.
-Result<std::vector<float>> seenThroughExact(const FilterScene& scene,
-                                            const QueryArrays& queries,
-                                            Threads threads,
-                                            Progress& progress);
 
 /// Texels at other levels, and how well they do.
 struct FittedTexels
@@ -71,24 +42,17 @@ public:
     fitted(const FaceMap<Level>& levels, int steps, Threads threads, Progress& progress);
 
 private:
-    struct Points;
-
     TexelStore begin(const FaceMap<Level>& levels) const;
     FaceMap<char> movable(const TexelStore& coarse) const;
-    Points pointsFor(const TexelStore& coarse, const FaceMap<char>& isMoved) const;
-    Status remember(const Points& points, Threads threads, Progress& progress);
-    std::vector<glm::vec4> wanted(const Points& points, int group) const;
     Status move(TexelStore& coarse,
-                const Points& points,
+                const FitPoints& points,
                 int steps,
                 FittedTexels& fitted,
                 Threads threads,
                 Progress& progress);
 
     const FitSource& m_source;
-    /// Of each level of points, what should be seen at a face's, channel after channel; empty where
-    /// nobody asked yet.
-    std::vector<FaceMap<std::vector<float>>> m_wanted;
+    FitWanted m_wanted;
     /// Of each level, the float texels that were found last for a face.
     std::vector<FaceMap<std::optional<FaceTexels>>> m_found;
 };

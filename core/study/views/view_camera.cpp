@@ -98,6 +98,11 @@ double ViewCamera::unitsPerPixel(glm::dvec3 point) const
     return depth > 0 ? pixelLength(fovY, height) * depth * depth / glm::length(offset) : kNever;
 }
 
+double ViewCamera::unitsPerPixelTurned(glm::dvec3 point) const
+{
+    return pixelLength(fovY, height) * glm::length(point - position);
+}
+
 double DistantViews::unitsPerPixel() const
 {
     // The corner of the picture is farthest off the axis.

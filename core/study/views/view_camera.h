@@ -47,6 +47,8 @@ struct ViewCamera
     /// direction in which they are fewest: no surface there is seen more finely. Infinite behind
     /// the camera.
     double unitsPerPixel(glm::dvec3 point) const;
+    /// The same, if the camera turned from where it stands to look straight at the point.
+    double unitsPerPixelTurned(glm::dvec3 point) const;
 };
 
 /// Every view whose position is at least `distance` from every point of the surface, with a picture

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/views/view_queries.h"
 
+#include "core/study/views/seen_faces.h"
+
 #include <algorithm>
 #include <functional>
 #include <optional>
 
 namespace trixel {
 namespace {
+
+/// Pixels by which a point that one view shows may lie outside another's picture of the same place.
+constexpr double kFrameRounding = 1e-3;
 
 /// Well-mixed bits of a number (the finaliser of SplitMix64).
 std::uint64_t mixed(std::uint64_t x)
@@ -78,6 +83,19 @@ void append(ViewQueries& to, const ViewQueries& from)
     to.asked += from.asked;
 }
 
+/// Whether one of the views sees a point with a spacing of no more than this.
+bool isCovered(const Surface& surface, const SceneViews& views, glm::dvec3 point, double spacing)
+{
+    const auto reaches = [&](const DistantViews& distant) {
+        return distant.unitsPerPixel() <= spacing;
+    };
+    const auto shows = [&](const ViewCamera& listed) {
+        return listed.unitsPerPixel(point) <= spacing &&
+               sees(surface, listed, point, kFrameRounding);
+    };
+    return std::ranges::any_of(views.distant, reaches) || std::ranges::any_of(views.cameras, shows);
+}
+
 ViewQueries rowQueries(const Surface& surface, const ViewCamera& camera, const BlockRow& row)
 {
     ViewQueries found;
@@ -140,8 +158,8 @@ bool isCovered(const Surface& surface,
                 covered ? seenBy(surface, camera.pixelRay(x + 0.5, y + 0.5)) : std::nullopt;
             if (hit) {
                 const glm::dvec3 point(hit->position);
-                covered = camera.unitsPerPixel(point) * (1 + kRounding) >=
-                          views.finestSpacing(point, kRounding);
+                covered =
+                    isCovered(surface, views, point, camera.unitsPerPixel(point) * (1 + kRounding));
             }
         });
     }

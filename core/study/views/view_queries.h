@@ -43,8 +43,9 @@ Result<ViewQueries> viewQueries(const Surface& surface,
                                 Threads threads,
                                 Progress& progress);
 
-/// Whether no point that the picture shows is seen closer (fewer world units a pixel) than by one
-/// of `views` that frames it. Judged at the pixels of the subset.
+/// Whether every point that the picture shows is seen by one of `views` too (see `sees`; those of a
+/// distance see every point), and there no farther (in no more world units a pixel). Judged at the
+/// pixels of the subset.
 bool isCovered(const Surface& surface,
                const SceneViews& views,
                const ViewCamera& camera,

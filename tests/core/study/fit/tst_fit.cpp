@@ -269,16 +269,100 @@ TEST(Fit, fartherViewsOfAFewFacesNeedNoMoreTexelsButForATenth)
     EXPECT_LT(nearer, texels.texelCount() / 4);
 }
 
+/// Faces that meet one that is judged at a vertex.
+FaceMap<char> besideJudged(const Surface& surface, const FitPlan& plan)
+{
+    FaceMap<char> beside(plan.levels.size(), 0);
+    const auto shapes = FilterSurface::fromMesh(surface.mesh(), surface.adjacency());
+    for (std::size_t r = 0; r < shapes.rings().ringCount(); ++r) {
+        const auto corners = shapes.rings().corners(static_cast<RingId>(r));
+        const bool meets = std::ranges::any_of(
+            corners, [&](const Corner& c) { return !std::isnan(plan.errors[c.face]); });
+        for (const Corner& corner : corners) {
+            beside[corner.face] = meets || beside[corner.face] != 0 ? 1 : 0;
+        }
+    }
+    return beside;
+}
+
 TEST(Fit, facesInNoPictureGoToTheLowestLevel)
 {
     const FitPlan& plan = narrowPlan();
     EXPECT_GT(plan.unseenFaces, 20U);
     EXPECT_LT(plan.unseenFaces, 40U);
+    const FaceMap<char> beside = besideJudged(*scene().surface, plan);
     std::uint32_t lowest = 0;
-    for (const Level level : plan.levels.values()) {
-        lowest += level == Level(0) ? 1 : 0;
+    for (std::uint32_t f = 0; f < beside.size(); ++f) {
+        if (beside[faceId(f)] == 0) {
+            EXPECT_EQ(plan.levels[faceId(f)], Level(0)) << f;
+            ++lowest;
+        }
     }
-    EXPECT_GE(lowest, plan.unseenFaces);
+    EXPECT_GT(lowest, 5U);
+}
+
+/// A sphere of 320 faces of level 2, all noise, and a camera that sees it at a texel a pixel.
+struct NoisySphere
+{
+    std::shared_ptr<const Surface> surface;
+    TexelStore texels;
+    SceneViews views{{{"front", {0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 25, 60, 60}}, {}};
+};
+
+NoisySphere noisySphere()
+{
+    NoProgress progress;
+    NoisySphere s;
+    s.surface = Surface::build(test::sphereMesh(2), progress).value();
+    const std::array<std::byte, 3> black{};
+    s.texels = TexelStore(320, TexelFormat(), Level(2), black);
+    std::mt19937 random(9);
+    for (std::uint32_t f = 0; f < 320; ++f) {
+        for (std::byte& value : s.texels.writable(faceId(f))) {
+            value = static_cast<std::byte>(random() % 64);
+        }
+    }
+    return s;
+}
+
+TEST(Fit, facesThatNoViewSeesKeepOneTexelOrAreFittedByTheirDistance)
+{
+    const NoisySphere s = noisySphere();
+    const auto plan = [&](UnseenFaces unseen) {
+        NoProgress progress;
+        return planFit(*s.surface, s.texels, {s.views, 1e-3, unseen}, Threads{2}, progress).value();
+    };
+    const FitPlan one = plan(UnseenFaces::OneTexel);
+    const FitPlan all = plan(UnseenFaces::ByDistance);
+    EXPECT_GT(one.unseenFaces, 150U);
+    EXPECT_EQ(one.unseenFaces, all.unseenFaces);
+    EXPECT_EQ(one.unseenTexelsBefore, std::uint64_t{16} * one.unseenFaces);
+    EXPECT_EQ(all.unseenTexelsBefore, one.unseenTexelsBefore);
+    EXPECT_LT(one.unseenTexelsAfter, one.unseenTexelsBefore / 2);
+    EXPECT_GT(all.unseenTexelsAfter, 2 * one.unseenTexelsAfter);
+
+    const FaceMap<char> beside = besideJudged(*s.surface, one);
+    std::uint32_t lowest = 0;
+    for (std::uint32_t f = 0; f < 320; ++f) {
+        EXPECT_FALSE(std::isnan(all.errors[faceId(f)])) << "every face is judged";
+        if (beside[faceId(f)] == 0) {
+            EXPECT_EQ(one.levels[faceId(f)], Level(0));
+            ++lowest;
+        }
+    }
+    EXPECT_GT(lowest, 80U);
+}
+
+/// The levels of faces beside seen ones are kept up with those, for footprints reach into them.
+TEST(Fit, whatAViewSeesIsKeptToItsVeryEdge)
+{
+    const NoisySphere s = noisySphere();
+    NoProgress progress;
+    const double tolerance = 3e-4; // next to nothing may change
+    const auto plan =
+        planFit(*s.surface, s.texels, {s.views, tolerance}, Threads{2}, progress).value();
+    EXPECT_LT(plan.unseenTexelsAfter, plan.unseenTexelsBefore * 2 / 3);
+    EXPECT_LE(plan.worstPart, tolerance);
 }
 
 TEST(Fit, refusesWhatItCannotUse)

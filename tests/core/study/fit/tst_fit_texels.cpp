@@ -271,7 +271,9 @@ TEST(FitEquations, doNotDependOnThreads)
 FitSource sourceOf(const SceneViews& views)
 {
     NoProgress progress;
-    return FitSource::make(*scene().surface, scene().texels, views, Threads{2}, progress).value();
+    return FitSource::make(
+               *scene().surface, scene().texels, views, UnseenFaces::OneTexel, Threads{2}, progress)
+        .value();
 }
 
 SceneViews nearViews()

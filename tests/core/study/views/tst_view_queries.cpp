@@ -125,41 +125,78 @@ TEST(ViewQueries, canBeCancelled)
     EXPECT_EQ(found.error().kind, ErrorKind::Cancelled);
 }
 
-TEST(Covered, meansNoPointIsSeenCloserThanByACameraThatFramesIt)
+const PixelSubset kHalf{2, 0};
+const ViewCamera kHero{"hero", {0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 200, 200};
+
+TEST(Covered, meansNoPointIsSeenCloserThanByAListedCamera)
 {
     const auto surface = surfaceOf(test::sphereMesh(3));
-    const ViewCamera hero{"hero", {0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 40, 200, 200};
-    const SceneViews views{{hero}, {}};
-    const PixelSubset all{2, 0};
-    EXPECT_TRUE(isCovered(*surface, views, hero, all));
-
-    ViewCamera closer = hero;
+    const SceneViews views{{kHero}, {}};
+    EXPECT_TRUE(isCovered(*surface, views, kHero, kHalf));
+    ViewCamera closer = kHero;
     closer.position.z = 3.9;
-    EXPECT_FALSE(isCovered(*surface, views, closer, all));
-    ViewCamera sharper = hero;
+    EXPECT_FALSE(isCovered(*surface, views, closer, kHalf));
+    ViewCamera sharper = kHero;
     sharper.height = 210;
     sharper.width = 210;
-    EXPECT_FALSE(isCovered(*surface, views, sharper, all));
-    ViewCamera behind = hero; // seen through the sphere, its back is 5 to 6 units away
-    behind.position = {0, 0, -6.1};
-    EXPECT_TRUE(isCovered(*surface, views, behind, all));
-    behind.position.z = -5;
-    EXPECT_FALSE(isCovered(*surface, views, behind, all));
-    ViewCamera farther = hero;
-    farther.position = {4, 4, 4};
-    EXPECT_TRUE(isCovered(*surface, views, farther, all));
+    EXPECT_FALSE(isCovered(*surface, views, sharper, kHalf));
+    ViewCamera elsewhere{"", {4, 0, 4}, {0, 0, 1}, {0, 1, 0}, 40, 200, 200};
+    elsewhere.fovY = 8; // its middle, from 53 degrees to the side
+    elsewhere.width = 30;
+    elsewhere.height = 30;
+    EXPECT_TRUE(isCovered(*surface, views, elsewhere, kHalf));
+    elsewhere.height = 100;
+    EXPECT_FALSE(isCovered(*surface, views, elsewhere, kHalf));
+}
 
-    SceneViews corner = views; // frames only part of the sphere
-    corner.cameras[0].target = {2, 0, 0};
-    corner.cameras[0].fovY = 20;
-    ViewCamera whole = hero;
-    whole.position.z = 40;
-    EXPECT_FALSE(isCovered(*surface, corner, whole, all));
+TEST(Covered, meansNothingIsSeenThatIsHiddenFromAllListedCameras)
+{
+    const auto surface = surfaceOf(test::sphereMesh(3));
+    const SceneViews views{{kHero}, {}};
+    ViewCamera behind = kHero;
+    behind.position.z = -40;
+    EXPECT_FALSE(isCovered(*surface, views, behind, kHalf));
+    ViewCamera farther = kHero;
+    farther.position.z = 40; // sees farther round it
+    EXPECT_FALSE(isCovered(*surface, views, farther, kHalf));
+    ViewCamera aside = kHero;
+    aside.position = {12, 0, 36};
+    EXPECT_FALSE(isCovered(*surface, views, aside, kHalf));
 
+    SceneViews round = views; // every point is seen by one of four
+    for (const glm::dvec3 place : {glm::dvec3(0, 40, -24), {-40, -24, -24}, {40, -24, -24}}) {
+        ViewCamera camera = kHero;
+        camera.position = place;
+        camera.up = {0, 0, 1};
+        camera.fovY = 4;
+        round.cameras.push_back(camera);
+    }
+    EXPECT_TRUE(isCovered(*surface, round, aside, kHalf));
+}
+
+TEST(Covered, needsAPictureThatFramesThePoint)
+{
+    const auto surface = surfaceOf(test::gridMesh(3));
+    ViewCamera half = kFront;
+    half.target = {0, 0.5, 0};
+    half.fovY = 20; // its right edge at about 0.5
+    ViewCamera far = kFront;
+    far.position.z = 40;
+    far.fovY = 3;
+    EXPECT_TRUE(isCovered(*surface, {{kFront}, {}}, far, kHalf));
+    EXPECT_FALSE(isCovered(*surface, {{half}, {}}, far, kHalf));
+}
+
+TEST(Covered, viewsOfADistanceSeeEveryFaceFromThere)
+{
+    const auto surface = surfaceOf(test::sphereMesh(3));
     const SceneViews beyond{{}, {{"any", 3, 40, 200, 200}}};
-    EXPECT_TRUE(isCovered(*surface, beyond, hero, all));
-    closer.position.z = 3.2;
-    EXPECT_FALSE(isCovered(*surface, beyond, closer, all));
+    EXPECT_TRUE(isCovered(*surface, beyond, kHero, kHalf));
+    ViewCamera behind = kHero;
+    behind.position.z = -4;
+    EXPECT_TRUE(isCovered(*surface, beyond, behind, kHalf));
+    behind.position.z = -3.2;
+    EXPECT_FALSE(isCovered(*surface, beyond, behind, kHalf));
 }
 
 } // namespace
