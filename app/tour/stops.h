@@ -28,6 +28,7 @@ public:
     Status texelsOfBothHalves();
     Status mipLevels();
     Status laidOutFace();
+    Status faceMips();
     Status chosenLevels();
     Status fittedLevels();
     Status newProject();

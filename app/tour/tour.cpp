@@ -51,6 +51,7 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
                             &Stops::paintedStroke,
                             &Stops::undoneAndRedone,
                             &Stops::texelsOfBothHalves,
+                            &Stops::faceMips,
                             &Stops::mipLevels,
                             &Stops::laidOutFace,
                             &Stops::chosenLevels,

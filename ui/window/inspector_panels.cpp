@@ -6,14 +6,16 @@
 #include <QMenu>
 #include <QScrollArea>
 
+#include "ui/inspector/face_panel.h"
 #include "ui/inspector/footprint_panel.h"
 #include "ui/inspector/layout_panel.h"
+#include "ui/inspector/mip_panel.h"
 #include "ui/look/look_overlay.h"
 #include "ui/look/look_panel.h"
-#include "ui/window/footprint_actions.h"
-#include "ui/inspector/face_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/footprint_actions.h"
 #include "ui/window/message_bar.h"
+#include "ui/window/mip_actions.h"
 #include "ui/window/panel_frames.h"
 #include "ui/window/workspace.h"
 
@@ -25,6 +27,7 @@ InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frame
 {
     makeLook(work, frames);
     makeLayout(work, frames);
+    makeMips(work, frames);
     makeFootprint(work, frames);
     makeFaces(work, frames);
 }
@@ -40,6 +43,7 @@ void InspectorPanels::fillMenu(QMenu& menu) const
     layout->addActions(m_layout->switches());
     QMenu* footprint = menu.addMenu(tr("Loo&k into Footprint"));
     footprint->addActions(m_footprint->actions());
+    m_mipActions->fillMenu(menu);
 }
 
 void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
@@ -88,6 +92,14 @@ void InspectorPanels::makeFaces(const Workspace& work, const PanelFrames& frames
     connect(m_faces, &FacePanel::faceChosen, &work.viewport, &Viewport::frameFace);
     connect(m_faces, &FacePanel::written, &work.messages, &MessageBar::showNote);
     connect(m_faces, &FacePanel::failed, &work.messages, &MessageBar::showError);
+}
+
+void InspectorPanels::makeMips(const Workspace& work, const PanelFrames& frames)
+{
+    auto* panel = new MipPanel(work.document, work.inspection, work.settings);
+    QDockWidget* dock = frames.below("mipPanel", tr("Mips"), panel, {Qt::SHIFT | Qt::Key_F4});
+    work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);
+    m_mipActions = new MipActions(*panel, *dock, work.window);
 }
 
 } // namespace trixel::ui

@@ -15,6 +15,7 @@ class FootprintActions;
 class FacePanel;
 class LayoutPanel;
 class LookPanel;
+class MipActions;
 class PanelFrames;
 struct Workspace;
 
@@ -39,11 +40,13 @@ private:
     void makeLayout(const Workspace& work, const PanelFrames& frames);
     void makeFootprint(const Workspace& work, const PanelFrames& frames);
     void makeFaces(const Workspace& work, const PanelFrames& frames);
+    void makeMips(const Workspace& work, const PanelFrames& frames);
 
     LookPanel* m_look;
     LayoutPanel* m_layout = nullptr;
     FootprintActions* m_footprint = nullptr;
     FacePanel* m_faces = nullptr;
+    MipActions* m_mipActions = nullptr;
 };
 
 } // namespace trixel::ui
