@@ -3,9 +3,12 @@
 // A square whose texels have all that a look can show.
 #pragma once
 
+#include <QCoreApplication>
+
 #include "tests/ui/fixtures.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace trixel::ui {
