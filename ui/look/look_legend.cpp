@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMargin = 8; // to the view's edge
 constexpr int kInset = 10;
-constexpr int kWidth = 320;
+constexpr int kWidth = 400;
 constexpr int kBarHeight = 12;
 constexpr int kTick = 4;
 constexpr int kTickRoom = 52;

@@ -21,6 +21,13 @@
 
 namespace trixel::ui {
 
+namespace {
+
+/// Of the narrowest dock, less a scroll bar.
+constexpr int kLookWidth = 280;
+
+} // namespace
+
 InspectorPanels::InspectorPanels(const Workspace& work, const PanelFrames& frames, QObject* parent)
     : QObject(parent)
     , m_look(new LookPanel(work.document, work.settings, work.inspection))
@@ -49,6 +56,7 @@ void InspectorPanels::fillMenu(QMenu& menu) const
 void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
 {
     auto* scroll = new QScrollArea; // a low window need not grow for it
+    m_look->setMinimumWidth(kLookWidth);
     scroll->setWidget(m_look);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
