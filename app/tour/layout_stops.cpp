@@ -102,9 +102,6 @@ Status Stops::laidOutFace()
     inspection.letGo();
     inspection.pointAt(*face, {0.4F, 0.3F});
     auto* panel = m_window.findChild<ui::LayoutPanel*>();
-    ui::LayoutMarks marks;
-    marks.centres = true;
-    panel->setMarks(marks);
     m_input.settle();
     // A texel of a neighbour under the pointer shows in the other views too.
     ui::LayoutView& net = panel->view(ui::LayoutKind::Net);
@@ -123,7 +120,6 @@ Status Stops::laidOutFace()
     }
     const Status taken = picture("layout");
     inspection.letGo();
-    panel->setMarks({});
     m_input.keys(QKeySequence(Qt::SHIFT | Qt::Key_F3));
     return taken;
 }

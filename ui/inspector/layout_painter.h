@@ -17,9 +17,9 @@ namespace trixel::ui {
 /// What is drawn on texels. A value: kept in settings.
 struct LayoutMarks
 {
-    bool grid = true;     ///< lines between texels
-    bool tint = false;    ///< lower and upper texels in two hues
-    bool centres = false; ///< where texels are sampled; in the packed square their triangles too
+    bool grid = true;    ///< lines between texels
+    bool tint = false;   ///< lower and upper texels in two hues
+    bool centres = true; ///< where texels are sampled; in the packed square their triangles too
     bool values = true;
     bool indices = false;
 
