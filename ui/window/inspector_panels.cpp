@@ -86,8 +86,10 @@ void InspectorPanels::makeFootprint(const Workspace& work, const PanelFrames& fr
         {work.document, work.inspection, work.settings, work.filterScene, work.viewport});
     QDockWidget* dock =
         frames.beside("footprintPanel", tr("Footprint"), panel, {Qt::SHIFT | Qt::Key_F5});
-    work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("readoutPanel"), dock);
+    auto* front = work.window.findChild<QDockWidget*>("readoutPanel");
+    work.window.tabifyDockWidget(front, dock);
     dock->hide();
+    front->raise(); // it stays the one that is read first
     m_footprint = new FootprintActions(*panel, *dock, work.window);
 }
 
