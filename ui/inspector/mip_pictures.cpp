@@ -16,6 +16,15 @@ QSize sizeOf(const MipCell& cell, double pixelRatio)
             static_cast<int>(std::ceil(cell.picture.height() * pixelRatio))};
 }
 
+/// Of more texels than pixels their means are drawn: giving colours to all would take longer than
+/// the window may be held up.
+FaceTexels
+asFineAsSeen(const TexelFormat& format, const FaceLayout& layout, const FaceTexels& texels)
+{
+    const Level seen = levelToDraw(layout, texels.level());
+    return reduced(format, texels, texels.level().log2() - seen.log2());
+}
+
 std::size_t slot(Level level)
 {
     return static_cast<std::size_t>(level.log2());
@@ -57,13 +66,15 @@ void MipPictures::make(const MipCell& cell, const MipComparison& levels)
             paintTexels(image, image.rect(), layout, texels, shades);
         };
     if (m_style.content == MipContent::Difference) {
-        paint(kDifferenceFormat,
-              {},
-              differenceTexels(levels, cell.level, m_style.look.channel, levels.worstDifference()));
+        const FaceTexels colors =
+            differenceTexels(levels, cell.level, m_style.look.channel, levels.worstDifference());
+        paint(kDifferenceFormat, {}, asFineAsSeen(kDifferenceFormat, layout, colors));
     } else {
         const ReductionRule rule =
             m_style.content == MipContent::Box ? ReductionRule::Box : ReductionRule::Triangles;
-        paint(levels.format(), m_style.look, levels.drawn(cell.level, rule));
+        paint(levels.format(),
+              m_style.look,
+              asFineAsSeen(levels.format(), layout, levels.drawn(cell.level, rule)));
     }
     image.setDevicePixelRatio(scale);
     m_images[slot(cell.level)] = std::move(image);
