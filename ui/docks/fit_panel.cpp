@@ -2,6 +2,7 @@
 #include "ui/docks/fit_panel.h"
 
 #include <QBoxLayout>
+#include <QCheckBox>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -38,6 +39,7 @@ FitPanel::FitPanel(Document& document,
     , m_run(jobs, std::move(work))
     , m_views(new FitViews(document, viewport))
     , m_tolerance(new ScaledSpinBox(Scale::Logarithmic))
+    , m_unseen(new QCheckBox(tr("Faces no &view sees: one texel")))
     , m_result(new FitResult(settings))
     , m_compare(new FitCompare(settings, viewport, map))
 {
@@ -47,6 +49,7 @@ FitPanel::FitPanel(Document& document,
     column->setSpacing(kSpace);
     column->addWidget(m_views);
     makeTolerance(*column);
+    makeUnseen(*column);
     column->addWidget(m_result);
     column->addStretch(1);
     auto* scroll = new QScrollArea;
@@ -63,6 +66,7 @@ FitPanel::FitPanel(Document& document,
     connectRun();
     connect(m_views, &FitViews::changed, this, &FitPanel::showState);
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &FitPanel::showState);
+    connect(m_unseen, &QCheckBox::toggled, this, &FitPanel::showState);
     connect(&m_document, &Document::opened, this, [this] {
         m_applied.reset();
         m_shown.reset();
@@ -93,6 +97,18 @@ void FitPanel::makeTolerance(QBoxLayout& column)
     row->addWidget(label);
     row->addWidget(m_tolerance, 1);
     column.addLayout(row);
+}
+
+/// Off at first: whoever plans from one view of the front would not expect the paint on the back to
+/// go. What it would save is told with the plan.
+void FitPanel::makeUnseen(QBoxLayout& column)
+{
+    m_unseen->setAccessibleName(tr("Faces no view sees keep one texel"));
+    m_unseen->setToolTip(
+        tr("Faces outside every picture or hidden in all of them keep one texel, their mean, and "
+           "their paint is lost; otherwise they are fitted as if each view turned to them and "
+           "nothing stood in between"));
+    column.addWidget(m_unseen);
 }
 
 void FitPanel::makeButtons(QBoxLayout& column)
@@ -154,7 +170,9 @@ void FitPanel::begin()
 
 FitSettings FitPanel::settings() const
 {
-    return {m_views->chosen(), m_tolerance->value() * kUnit};
+    return {m_views->chosen(),
+            m_tolerance->value() * kUnit,
+            m_unseen->isChecked() ? UnseenFaces::OneTexel : UnseenFaces::ByDistance};
 }
 
 /// Whether the texels are those that the plan was made for.
@@ -171,7 +189,8 @@ bool FitPanel::isCurrent() const
     }
     const FitSettings& planned = m_run.outcome()->settings;
     const FitSettings now = settings();
-    return planned.views == now.views && planned.tolerance == now.tolerance;
+    return planned.views == now.views && planned.tolerance == now.tolerance &&
+           planned.unseen == now.unseen;
 }
 
 void FitPanel::planOrCancel()
@@ -249,7 +268,8 @@ QString FitPanel::stateText() const
         return tr("The texels have changed since this plan: plan again.");
     }
     if (!isCurrent()) {
-        return tr("The views or the tolerance are others than the plan's: plan again.");
+        return tr("The views, the tolerance or the choice for faces that no view sees are others "
+                  "than the plan's: plan again.");
     }
     if (outcome->fit.plan.fitted.isEmpty()) {
         return tr("There is nothing to save: every face needs the texels that it has.");

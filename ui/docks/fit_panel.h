@@ -8,6 +8,7 @@
 #include <optional>
 
 class QBoxLayout;
+class QCheckBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -51,6 +52,7 @@ signals:
 
 private:
     void makeTolerance(QBoxLayout& column);
+    void makeUnseen(QBoxLayout& column);
     void makeButtons(QBoxLayout& column);
     void connectRun();
     void planOrCancel();
@@ -69,6 +71,7 @@ private:
 
     FitViews* m_views;
     ScaledSpinBox* m_tolerance;
+    QCheckBox* m_unseen;
     FitResult* m_result;
     FitCompare* m_compare;
     QLabel* m_state;

@@ -78,8 +78,12 @@ FitResult::FitResult(ViewSettings& settings, QWidget* parent)
     form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     m_texels = addRow(*form, tr("Texels"), tr("Of all faces, now and when the plan is applied"));
     m_memory = addRow(*form, tr("Memory"), tr("That all texels take, now and when it is applied"));
-    m_faces = addRow(
-        *form, tr("Faces"), tr("Those that get a lower level; faces in no view keep one texel"));
+    m_faces = addRow(*form, tr("Faces"), tr("Those that get a lower level"));
+    m_unseen =
+        addRow(*form,
+               tr("Unseen"),
+               tr("Faces that no view sees, outside every picture or hidden in all, and their "
+                  "texels now and when the plan is applied"));
     m_error =
         addRow(*form,
                tr("RMS"),
@@ -150,10 +154,8 @@ void FitResult::show(const FitOutcome& outcome)
                                share(static_cast<double>(cost.texelsBefore),
                                      static_cast<double>(cost.texelsAfter))));
     m_memory->setText(tr("%1 → %2").arg(sizeText(cost.bytesBefore), sizeText(cost.bytesAfter)));
-    m_faces->setText(plan.unseenFaces > 0
-                         ? tr("%1 change, %2 are in no view")
-                               .arg(countText(cost.changedFaces), countText(plan.unseenFaces))
-                         : tr("%1 change").arg(countText(cost.changedFaces)));
+    m_faces->setText(tr("%1 change").arg(countText(cost.changedFaces)));
+    showUnseen(outcome);
     m_error->setText(tr("%1, worst patch %2, worst face %3, in 1/255")
                          .arg(digits(255 * plan.rms, 2),
                               digits(255 * plan.worstPart, 2),
@@ -161,6 +163,19 @@ void FitResult::show(const FitOutcome& outcome)
     showSubdivision(outcome);
     showMethod(outcome);
     showLevels(outcome);
+}
+
+void FitResult::showUnseen(const FitOutcome& outcome)
+{
+    const FitPlan& plan = outcome.fit.plan;
+    if (plan.unseenFaces == 0) {
+        m_unseen->setText(tr("every face is in a view"));
+        return;
+    }
+    m_unseen->setText(tr("%1 faces, %2 → %3 texels")
+                          .arg(countText(plan.unseenFaces),
+                               countText(plan.unseenTexelsBefore),
+                               countText(plan.unseenTexelsAfter)));
 }
 
 void FitResult::showSubdivision(const FitOutcome& outcome)

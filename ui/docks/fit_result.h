@@ -28,6 +28,7 @@ public:
 private:
     QLabel* addRow(QFormLayout& form, const QString& title, const QString& toolTip);
     void makeLevels();
+    void showUnseen(const FitOutcome& outcome);
     void showMethod(const FitOutcome& outcome);
     void showSubdivision(const FitOutcome& outcome);
     void showLevels(const FitOutcome& outcome);
@@ -37,6 +38,7 @@ private:
     QLabel* m_texels;
     QLabel* m_memory;
     QLabel* m_faces;
+    QLabel* m_unseen;
     QLabel* m_error;
     QLabel* m_subdivision;
     QLabel* m_method;

@@ -189,15 +189,45 @@ private slots:
     {
         const render::CameraPose far = m_window->viewport().camera().pose();
         m_window->viewport().frameFace(FaceId{20});
+        clickUnseen();
         plan();
         const FitPlan& fit = m_panel->run().outcome()->fit.plan;
         QVERIFY(fit.unseenFaces > 0);
-        QVERIFY(text("Faces").contains("in no view"));
+        QVERIFY2(text("Unseen").startsWith(QString::number(fit.unseenFaces)),
+                 qPrintable(text("Unseen")));
         m_window->viewport().setCamera(far);
         ViewMap& map = m_window->viewMap();
         QTRY_VERIFY(map.isComplete());
         QVERIFY(map.valueAt(placeOf(20)));
         QVERIFY(!map.valueAt(placeOf(0)));
+    }
+
+    void facesNoViewSeesKeepTheirPaintUnlessTheyAreGivenUp()
+    {
+        auto* box = widgetNamed<QCheckBox>(*m_panel, "Faces no view sees keep one texel");
+        QVERIFY(box);
+        QVERIFY2(!box->isChecked(), "nobody loses paint who did not ask for it");
+        QVERIFY(!box->toolTip().isEmpty());
+        m_window->viewport().frameFace(FaceId{31}); // far from the noise on face 9
+        plan();
+        const FitPlan kept = m_panel->run().outcome()->fit.plan;
+        QVERIFY(kept.unseenFaces > 0);
+        QVERIFY(kept.levels[FaceId{9}] != Level(0));
+        QVERIFY2(text("Unseen").contains("→"), qPrintable(text("Unseen")));
+
+        clickUnseen();
+        QVERIFY(box->isChecked());
+        QVERIFY(!button("Apply the plan")->isEnabled());
+        QVERIFY2(state().contains("no view sees"), qPrintable(state()));
+        plan();
+        const FitPlan& given = m_panel->run().outcome()->fit.plan;
+        QCOMPARE(given.unseenFaces, kept.unseenFaces);
+        QVERIFY(given.levels[FaceId{9}] == Level(0));
+        QVERIFY(given.unseenTexelsAfter < kept.unseenTexelsAfter);
+        QVERIFY(button("Apply the plan")->isEnabled());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space); // back to what the plan was not made for
+        QVERIFY(!button("Apply the plan")->isEnabled());
     }
 
     void fittedTexelsAreShownWithoutChangingAny()
@@ -410,7 +440,12 @@ private:
             addPresentView();
         }
         click("Plan the fit");
-        QTRY_VERIFY_WITH_TIMEOUT(!m_panel->run().isRunning() && m_panel->run().outcome(), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_panel->run().isRunning() && m_panel->isCurrent(), 30000);
+    }
+    void clickUnseen()
+    {
+        auto* box = widgetNamed<QCheckBox>(*m_panel, "Faces no view sees keep one texel");
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
     }
     QRadioButton* choice(const QString& name) { return widgetNamed<QRadioButton>(*m_panel, name); }
     QImage picture()
