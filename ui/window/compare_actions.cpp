@@ -9,6 +9,7 @@
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
 #include "ui/window/map_actions.h"
+#include "ui/window/mnemonics.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,11 +75,12 @@ void CompareActions::makeWays(QWidget& window)
 void CompareActions::makeMethods(QWidget& window)
 {
     auto* group = new QActionGroup(this);
+    Mnemonics taken;
     for (const MethodEntry& entry : filterMethods()) {
         const QString title =
             QString::fromUtf8(entry.title.data(), static_cast<qsizetype>(entry.title.size()));
         QAction* action = ActionMaker(window).toggle(
-            tr("B: %1").arg(title),
+            withMnemonic(tr("B: %1").arg(title), taken),
             QString::fromUtf8(entry.about.data(), static_cast<qsizetype>(entry.about.size())));
         group->addAction(action);
         m_methodMenu->addAction(action);
@@ -111,7 +113,7 @@ void CompareActions::makeLevels(QWidget& window)
 
 void CompareActions::fillMenu(QMenu& menu)
 {
-    QMenu* compare = menu.addMenu(tr("Com&pare"));
+    QMenu* compare = menu.addMenu(tr("&Split to Compare"));
     for (const auto& [action, by] : m_ways) {
         compare->addAction(action);
     }

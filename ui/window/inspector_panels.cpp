@@ -48,7 +48,7 @@ void InspectorPanels::fillMenu(QMenu& menu) const
 {
     QMenu* layout = menu.addMenu(tr("Texel La&yout"));
     layout->addActions(m_layout->switches());
-    QMenu* footprint = menu.addMenu(tr("Loo&k into Footprint"));
+    QMenu* footprint = menu.addMenu(tr("Look i&nto Footprint"));
     footprint->addActions(m_footprint->actions());
     m_mipActions->fillMenu(menu);
 }

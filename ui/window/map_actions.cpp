@@ -4,9 +4,9 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
-#include <QSet>
 
 #include "ui/window/actions.h"
+#include "ui/window/mnemonics.h"
 
 namespace trixel::ui {
 
@@ -15,19 +15,6 @@ namespace {
 QString fromView(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-/// The text with a mnemonic: its first letter or digit that none before has taken.
-QString withMnemonic(QString text, QSet<QChar>& taken)
-{
-    for (qsizetype k = 0; k < text.size(); ++k) {
-        const QChar letter = text[k].toLower();
-        if (letter.isLetterOrNumber() && !taken.contains(letter)) {
-            taken += letter;
-            return text.insert(k, '&');
-        }
-    }
-    return text;
 }
 
 } // namespace
@@ -108,7 +95,7 @@ void MapActions::makeToggle(QWidget& window)
 void MapActions::makeMethods(QWidget& window)
 {
     auto* group = new QActionGroup(this);
-    QSet<QChar> taken;
+    Mnemonics taken;
     for (const MethodEntry& entry : filterMethods()) {
         QAction* action = ActionMaker(window).toggle(withMnemonic(fromView(entry.title), taken),
                                                      fromView(entry.about));

@@ -48,19 +48,6 @@ QList<SaveKind> kindsFor(const PictureSource& source)
     return kinds;
 }
 
-/// Puts the mnemonic before the first letter that no other command of the menu has.
-QString withMnemonic(const QString& title, QString& taken)
-{
-    for (qsizetype k = 0; k < title.size(); ++k) {
-        const QChar letter = title[k].toLower();
-        if (letter.isLetter() && !taken.contains(letter)) {
-            taken += letter;
-            return QString(title).insert(k, '&');
-        }
-    }
-    return title;
-}
-
 QString texelText(const InspectedTexel& texel)
 {
     return PictureActions::tr("face %1, texel %2 of level %3")
@@ -147,10 +134,10 @@ QString PictureActions::caption() const
 void PictureActions::addPanel(QDockWidget& dock)
 {
     const Maker panel = [&dock] { return pictureOf(*dock.widget(), dock.windowTitle()); };
-    QAction* listed =
-        addSave(withMnemonic(tr("Save Picture of %1…").arg(dock.windowTitle()), m_mnemonics),
-                tr("Save a picture of the panel %1").arg(dock.windowTitle()),
-                panel);
+    const QString text = tr("Save Picture of %1…").arg(dock.windowTitle());
+    QAction* listed = addSave(withMnemonic(text, m_mnemonics, text.indexOf(dock.windowTitle())),
+                              tr("Save a picture of the panel %1").arg(dock.windowTitle()),
+                              panel);
     // A hidden panel shows nothing that is true now.
     listed->setEnabled(dock.isVisible());
     connect(&dock, &QDockWidget::visibilityChanged, listed, &QAction::setEnabled);

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "core/base/result.h"
+#include "ui/window/mnemonics.h"
 #include "ui/window/workspace.h"
 
 #include <filesystem>
@@ -60,8 +61,8 @@ private:
     QAction* m_saveView;
     QAction* m_copyView;
     QAction* m_captions;
-    std::vector<QAction*> m_panelActions; ///< of the menu
-    QString m_mnemonics = "c";            ///< letters that its commands have
+    std::vector<QAction*> m_panelActions;    ///< of the menu
+    Mnemonics m_mnemonics{QLatin1Char('c')}; ///< that its commands have
 };
 
 } // namespace trixel::ui
