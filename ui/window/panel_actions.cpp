@@ -49,6 +49,12 @@ void PanelActions::add(QDockWidget& dock, const QKeySequence& shortcut)
     action->setShortcut(shortcut);
     action->setToolTip(tr("Show or hide the panel %1 (%2)")
                            .arg(dock.windowTitle(), shortcut.toString(QKeySequence::NativeText)));
+    // Among those that share its place, too, what was asked for is in front.
+    connect(action, &QAction::triggered, &dock, [&dock](bool shown) {
+        if (shown) {
+            dock.raise();
+        }
+    });
     m_window.addAction(action);
     m_docks += &dock;
 }

@@ -33,6 +33,19 @@ private slots:
         QTRY_VERIFY(!texel->visibleRegion().isEmpty());
     }
 
+    void aPanelThatAKeyShowsIsInFront()
+    {
+        for (const auto& [key, name] : {std::pair{Qt::Key_F5, "footprintPanel"},
+                                        std::pair{Qt::Key_F3, "layoutPanel"},
+                                        std::pair{Qt::Key_F4, "mipPanel"},
+                                        std::pair{Qt::Key_F8, "facesPanel"}}) {
+            auto* panel = m_window->findChild<QDockWidget*>(name);
+            QVERIFY(panel->visibleRegion().isEmpty());
+            press(key, Qt::ShiftModifier);
+            QTRY_VERIFY2(!panel->visibleRegion().isEmpty(), name);
+        }
+    }
+
     void undoAndRedoKeys()
     {
         const std::vector<std::byte> before = allTexels(document().texels());
