@@ -33,6 +33,9 @@ Status Stops::footprint()
         !shown) {
         return shown;
     }
+    // Brush and look leave the whole height to it.
+    m_input.keys(Qt::Key_F2);
+    m_input.keys(QKeySequence(Qt::SHIFT | Qt::Key_F2));
     const int width = dock->width();
     m_window.resizeDocks({dock}, {660}, Qt::Horizontal);
     m_input.keys(Qt::Key_A);
@@ -70,6 +73,8 @@ Status Stops::footprint()
     m_window.viewport().setCamera(before);
     m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
     m_input.keys(QKeySequence(Qt::SHIFT | Qt::Key_F5));
+    m_input.keys(QKeySequence(Qt::SHIFT | Qt::Key_F2));
+    m_input.keys(Qt::Key_F2);
     return taken;
 }
 

@@ -31,7 +31,8 @@ using namespace trixel::ui;
 
 namespace {
 
-const std::vector<std::string> kDocks{"readoutPanel", "layoutPanel"};
+const std::vector<std::string> kDocks{
+    "readoutPanel", "layoutPanel", "mipPanel", "footprintPanel", "facesPanel", "lookPanel"};
 
 /// A wavy sheet of 2 n² faces, every texel of them noise.
 Project sheet(int n)
