@@ -65,12 +65,16 @@ public:
         m_painter.setRenderHint(QPainter::Antialiasing);
         m_painter.fillRect(m_area,
                            m_palette.color(QPalette::Window).darker(isDark(m_palette) ? 118 : 104));
+        // Areas without smooth edges leave no seams between neighbours and are quick; the lines
+        // over them are smooth.
+        m_painter.setRenderHint(QPainter::Antialiasing, false);
         paintFaces();
         if (m_picture.fill == NetPicture::Fill::Values) {
             paintValues();
         } else {
             paintWeights();
         }
+        m_painter.setRenderHint(QPainter::Antialiasing);
         paintTexelEdges();
         paintFaceEdges();
         if (m_picture.frozen) {
@@ -168,7 +172,6 @@ void NetPainter::paintWeights()
         if (isSeen(shape)) {
             const QColor color = weightColor(share);
             m_painter.setBrush(color);
-            m_painter.setPen(QPen(color, 0.6)); // no seams between neighbours
             m_painter.drawPolygon(shape);
         }
     }
@@ -223,7 +226,7 @@ void NetPainter::paintFaceValues(const FootprintNet::Face& face)
                 if (isValid(level, texel)) {
                     const QColor shown = color(indexOf(texelIndex(level, texel)));
                     m_painter.setBrush(shown);
-                    m_painter.setPen(QPen(shown, 0.6));
+                    m_painter.setPen(Qt::NoPen);
                     m_painter.drawPolygon(texelPolygon(face, level, texel));
                 }
             }
@@ -267,15 +270,17 @@ void NetPainter::paintFaceEdges()
     QColor color = m_palette.color(QPalette::Text);
     color.setAlphaF(0.7F);
     QFont font = m_painter.font();
-    m_painter.setBrush(Qt::NoBrush);
+    QVector<QLineF> edges;
     for (const FootprintNet::Face& face : m_net.faces) {
         const QPolygonF shape = polygon(face.corners);
-        if (!isSeen(shape)) {
-            continue;
+        if (isSeen(shape)) {
+            for (qsizetype k = 0; k < 3; ++k) {
+                edges += QLineF(shape[k], shape[(k + 1) % 3]);
+            }
         }
-        m_painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        m_painter.drawPolygon(shape);
     }
+    m_painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLines(edges);
 }
 
 QPolygonF NetPainter::ellipse(glm::dvec2 centre, glm::dvec2 major, glm::dvec2 minor) const
