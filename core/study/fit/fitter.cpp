@@ -9,10 +9,6 @@
 namespace trixel {
 namespace {
 
-/// Part of the tolerance that patches may use. They are judged as if all of a picture were as close
-/// as a covered view can be and seen from straight above; most of any picture is not, so that parts
-/// of patches and points between the samples are allowed for already.
-constexpr double kSafety = 0.9;
 /// Steps of the search for texels: where all faces give up as many levels, in each round of
 /// planning, and before the plan is judged.
 constexpr int kMeasuringSteps = 20;
@@ -37,7 +33,10 @@ constexpr double kLeastSaved = 0.01;
 
 Fitter::Fitter(const FitSource& source, const Surface& surface, double tolerance, Threads threads)
     : m_source(source)
-    , m_most(kSafety * kSafety * tolerance * tolerance)
+    // Patches may use the whole tolerance. They are judged as if all of a picture were as close as
+    // a covered view can be and seen from straight above; most of any picture is not, so that parts
+    // of patches and points between the samples are allowed for already.
+    , m_most(tolerance * tolerance)
     , m_threads(threads)
     , m_coarsener(source)
     , m_before(levelsOf(source.texels))
