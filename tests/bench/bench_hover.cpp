@@ -11,6 +11,7 @@
 
 #include "core/io/project.h"
 #include "core/study/processor_clock.h"
+#include "tests/bench/sheet_mesh.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
@@ -37,21 +38,7 @@ const std::vector<std::string> kDocks{
 /// A wavy sheet of 2 n² faces, every texel of them noise.
 Project sheet(int n)
 {
-    TriangleMesh mesh;
-    const auto id = [n](int i, int j) { return static_cast<std::uint32_t>(i + j * (n + 1)); };
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            const float x = 2.0F * static_cast<float>(i) / static_cast<float>(n) - 1;
-            const float y = 2.0F * static_cast<float>(j) / static_cast<float>(n) - 1;
-            mesh.positions.push_back({x, y, 0.2F * std::sin(6 * x) * std::cos(5 * y)});
-        }
-    }
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i, j + 1)});
-            mesh.triangles.push_back({id(i + 1, j + 1), id(i, j + 1), id(i + 1, j)});
-        }
-    }
+    TriangleMesh mesh = sheetMesh(n);
     NoProgress progress;
     Project project;
     std::mt19937 random(1);

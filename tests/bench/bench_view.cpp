@@ -8,6 +8,7 @@
 #include "core/mesh/triangle_mesh.h"
 #include "render/corner_normals.h"
 #include "render/matrices.h"
+#include "tests/bench/sheet_mesh.h"
 #include "tests/render/offscreen.h"
 
 #include <benchmark/benchmark.h>
@@ -33,20 +34,7 @@ const TriangleMesh& sheet(int n)
     if (!mesh.triangles.empty()) {
         return mesh;
     }
-    const auto id = [n](int i, int j) { return static_cast<std::uint32_t>(i + j * (n + 1)); };
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            const float x = 2.0F * static_cast<float>(i) / static_cast<float>(n) - 1;
-            const float y = 2.0F * static_cast<float>(j) / static_cast<float>(n) - 1;
-            mesh.positions.push_back({x, y, 0.2F * std::sin(6 * x) * std::cos(5 * y)});
-        }
-    }
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            mesh.triangles.push_back({id(i, j), id(i + 1, j), id(i, j + 1)});
-            mesh.triangles.push_back({id(i + 1, j + 1), id(i, j + 1), id(i + 1, j)});
-        }
-    }
+    mesh = sheetMesh(n);
     return mesh;
 }
 

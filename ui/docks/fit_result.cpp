@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/format_choice.h"
-#include "ui/docks/method_box.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 
 #include <algorithm>

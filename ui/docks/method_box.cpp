@@ -1,31 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/method_box.h"
 
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 
 namespace trixel::ui {
-
-namespace {
-
-QString fromView(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-} // namespace
-
-QString methodTitle(const MethodChoice& method)
-{
-    const MethodEntry* entry = findMethod(method.name);
-    if (entry == nullptr) {
-        return QString::fromStdString(method.name);
-    }
-    const QString title = fromView(entry->title);
-    return method.parameter && entry->parameter ? QString("%1 (%2 %3)")
-                                                      .arg(title, fromView(entry->parameter->name))
-                                                      .arg(*method.parameter)
-                                                : title;
-}
 
 MethodBox::MethodBox(ViewSettings& settings, QWidget* parent)
     : QComboBox(parent)

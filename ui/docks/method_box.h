@@ -9,9 +9,6 @@ namespace trixel::ui {
 
 class ViewSettings;
 
-/// A method as people read it, with its parameter where one is chosen.
-QString methodTitle(const MethodChoice& method);
-
 /// The filter method of the view, chosen from the table of all methods.
 class MethodBox : public QComboBox
 {

@@ -13,11 +13,11 @@
 #include <QVBoxLayout>
 
 #include "core/texture/texel_address.h"
-#include "ui/docks/method_box.h"
 #include "ui/docks/readout_text.h"
 #include "ui/docks/swatches.h"
 #include "ui/document/document.h"
 #include "ui/document/inspection.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/surface_lines.h"
 
 #include <array>

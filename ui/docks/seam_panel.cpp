@@ -18,6 +18,7 @@
 #include "ui/docks/seam_model.h"
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 
 #include <utility>

@@ -6,8 +6,8 @@
 
 #include "core/footprint/ellipse_report.h"
 #include "core/footprint/svd2.h"
-#include "ui/docks/method_box.h"
 #include "ui/docks/readout_text.h"
+#include "ui/viewport/method_title.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

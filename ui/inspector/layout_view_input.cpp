@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 
 #include "ui/inspector/layout_view.h"
+#include "ui/viewport/inspect_keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +21,6 @@ constexpr double kPerKey = 0.4;          // e-folds
 constexpr double kPerWidthDragged = 4.0; // e-folds
 constexpr double kMostNotches = 20;      // in one event
 constexpr double kNotch = 120;           // of Qt's wheel angle
-
-std::optional<Inspection::Step> stepOf(int key)
-{
-    switch (key) {
-    case Qt::Key_Right:
-        return Inspection::Step::Right;
-    case Qt::Key_Left:
-        return Inspection::Step::Left;
-    case Qt::Key_Up:
-        return Inspection::Step::Ahead;
-    case Qt::Key_Down:
-        return Inspection::Step::Back;
-    default:
-        return std::nullopt;
-    }
-}
 
 /// Keys that mean something here, whatever they mean to the window.
 bool isOwn(const QKeyEvent& event)
@@ -54,7 +39,7 @@ bool isOwn(const QKeyEvent& event)
     case Qt::Key_Escape:
         return true;
     default:
-        return stepOf(event.key()).has_value();
+        return inspectStepOf(event.key()).has_value();
     }
 }
 
@@ -209,7 +194,7 @@ void LayoutView::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
         return;
     }
-    if (const auto step = stepOf(event->key())) {
+    if (const auto step = inspectStepOf(event->key())) {
         emit stepped(*step);
         return;
     }

@@ -3,15 +3,9 @@
 
 #include <QKeyEvent>
 
-#include "ui/document/inspection.h"
-
-#include <optional>
-
 namespace trixel::ui {
 
-namespace {
-
-std::optional<Inspection::Step> stepOf(int key)
+std::optional<Inspection::Step> inspectStepOf(int key)
 {
     switch (key) {
     case Qt::Key_Right:
@@ -27,14 +21,12 @@ std::optional<Inspection::Step> stepOf(int key)
     }
 }
 
-} // namespace
-
 bool takeInspectKey(Inspection& inspection, const QKeyEvent& event)
 {
     if ((event.modifiers() & ~Qt::KeypadModifier) != Qt::NoModifier || !inspection.texel()) {
         return false;
     }
-    if (const auto step = stepOf(event.key())) {
+    if (const auto step = inspectStepOf(event.key())) {
         inspection.step(*step);
         return true;
     }

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/document/inspection.h"
+
+#include <optional>
+
 class QKeyEvent;
 
 namespace trixel::ui {
 
-class Inspection;
+/// The step that an arrow key takes; nothing for other keys.
+std::optional<Inspection::Step> inspectStepOf(int key);
 
 /// What the keyboard does to the texel looked at, in the view and in every panel that shows texels:
 /// right and left leave by the next edge on that side, up goes straight on, down goes back, Esc

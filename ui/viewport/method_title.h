@@ -5,15 +5,14 @@
 
 #include "core/filter/filter_method.h"
 
+#include <string_view>
+
 namespace trixel::ui {
 
-/// The name of a filter method as people read it; empty for one that does not exist.
-inline QString titleOf(const MethodChoice& method)
-{
-    const MethodEntry* entry = findMethod(method.name);
-    return entry == nullptr ? QString()
-                            : QString::fromUtf8(entry->title.data(),
-                                                static_cast<qsizetype>(entry->title.size()));
-}
+/// A text of the table of filter methods.
+QString fromView(std::string_view text);
+
+/// A filter method as people read it, with its parameter where it has one that was chosen.
+QString methodTitle(const MethodChoice& method);
 
 } // namespace trixel::ui

@@ -80,8 +80,8 @@ void SplitBar::follow()
     const int dropped = m_settings.view().mipDrop;
     switch (comparison.by) {
     case ComparedBy::Method:
-        m_left->setText(tr("A: %1").arg(titleOf(m_settings.method())));
-        m_right->setText(tr("B: %1").arg(titleOf(comparison.method)));
+        m_left->setText(tr("A: %1").arg(methodTitle(m_settings.method())));
+        m_right->setText(tr("B: %1").arg(methodTitle(comparison.method)));
         break;
     case ComparedBy::Level:
         m_left->setText(tr("A: %1").arg(coarserText(dropped)));

@@ -300,9 +300,9 @@ void ViewMap::showState()
 
 QString ViewMap::title() const
 {
-    QString name = titleOf(m_settings.method());
+    QString name = methodTitle(m_settings.method());
     if (hasOther()) {
-        name = tr("%1 (A) and %2 (B)").arg(name, titleOf(m_comparison.method));
+        name = tr("%1 (A) and %2 (B)").arg(name, methodTitle(m_comparison.method));
     }
     switch (m_map) {
     case ViewMapKind::Filtered:

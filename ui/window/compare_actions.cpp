@@ -5,6 +5,7 @@
 #include <QMenu>
 
 #include "core/study/views/view_map.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/split_bar.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -77,11 +78,9 @@ void CompareActions::makeMethods(QWidget& window)
     auto* group = new QActionGroup(this);
     Mnemonics taken;
     for (const MethodEntry& entry : filterMethods()) {
-        const QString title =
-            QString::fromUtf8(entry.title.data(), static_cast<qsizetype>(entry.title.size()));
-        QAction* action = ActionMaker(window).toggle(
-            withMnemonic(tr("B: %1").arg(title), taken),
-            QString::fromUtf8(entry.about.data(), static_cast<qsizetype>(entry.about.size())));
+        const QString title = fromView(entry.title);
+        QAction* action = ActionMaker(window).toggle(withMnemonic(tr("B: %1").arg(title), taken),
+                                                     fromView(entry.about));
         group->addAction(action);
         m_methodMenu->addAction(action);
         m_methods.emplace_back(action, std::string(entry.name));

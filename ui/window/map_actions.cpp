@@ -5,19 +5,11 @@
 #include <QActionGroup>
 #include <QMenu>
 
+#include "ui/viewport/method_title.h"
 #include "ui/window/actions.h"
 #include "ui/window/mnemonics.h"
 
 namespace trixel::ui {
-
-namespace {
-
-QString fromView(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
-} // namespace
 
 MapActions::MapActions(ViewSettings& settings, QWidget& window)
     : QObject(&window)

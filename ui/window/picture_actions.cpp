@@ -11,7 +11,6 @@
 
 #include "core/lattice/texel.h"
 #include "ui/charts/write_chart.h"
-#include "ui/docks/method_box.h"
 #include "ui/document/background_job.h"
 #include "ui/document/document.h"
 #include "ui/document/inspection.h"
@@ -19,6 +18,7 @@
 #include "ui/inspector/save_dialog.h"
 #include "ui/inspector/view_picture.h"
 #include "ui/inspector/widget_picture.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"

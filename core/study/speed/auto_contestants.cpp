@@ -2,6 +2,7 @@
 #include "core/study/speed/auto_contestants.h"
 
 #include "core/study/speed/auto_method.h"
+#include "core/study/speed/prepared_filter.h"
 
 #include <algorithm>
 #include <array>
@@ -11,27 +12,6 @@ namespace trixel {
 namespace {
 
 constexpr std::array<double, 7> kTolerances = {0.1, 0.05, 0.02, 0.01, 0.007, 0.005, 0.002};
-
-class PreparedAuto final : public PreparedQueries
-{
-public:
-    PreparedAuto(const AutoMethod& method, const FilterScene& scene, FilterQueries queries)
-        : m_method(method)
-        , m_scene(scene)
-        , m_queries(queries)
-    {
-    }
-
-    void run(const FilterResults& results) const override
-    {
-        m_method.filter(m_scene, m_queries, results);
-    }
-
-private:
-    const AutoMethod& m_method;
-    const FilterScene& m_scene;
-    FilterQueries m_queries;
-};
 
 class AutoContestant final : public Contestant
 {
@@ -48,7 +28,8 @@ public:
     std::unique_ptr<PreparedQueries> prepare(std::size_t subject,
                                              const FilterQueries& queries) const override
     {
-        return std::make_unique<PreparedAuto>(m_method, *m_subjects[subject].scene, queries);
+        return std::make_unique<PreparedFilter<AutoMethod>>(
+            m_method, *m_subjects[subject].scene, queries);
     }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/speed/contest.h"
 
+#include "core/study/speed/prepared_filter.h"
 #include "core/study/speed/spread_queries.h"
 #include "core/study/value_range.h"
 
@@ -10,27 +11,6 @@
 
 namespace trixel {
 namespace {
-
-class PreparedMethod final : public PreparedQueries
-{
-public:
-    PreparedMethod(const FilterMethod& method, const FilterScene& scene, FilterQueries queries)
-        : m_method(method)
-        , m_scene(scene)
-        , m_queries(queries)
-    {
-    }
-
-    void run(const FilterResults& results) const override
-    {
-        m_method.filter(m_scene, m_queries, results);
-    }
-
-private:
-    const FilterMethod& m_method;
-    const FilterScene& m_scene;
-    FilterQueries m_queries;
-};
 
 class TableContestant final : public Contestant
 {
@@ -48,7 +28,8 @@ public:
     std::unique_ptr<PreparedQueries> prepare(std::size_t subject,
                                              const FilterQueries& queries) const override
     {
-        return std::make_unique<PreparedMethod>(*m_method, *m_subjects[subject].scene, queries);
+        return std::make_unique<PreparedFilter<FilterMethod>>(
+            *m_method, *m_subjects[subject].scene, queries);
     }
 
 private:

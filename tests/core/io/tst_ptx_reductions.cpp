@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ptx_faces.h"
 #include "core/io/ptx_reductions.h"
+#include "tests/core/cancel_after.h"
 #include "tests/core/io/ptx_samples.h"
 
 #include <gtest/gtest.h>
@@ -47,25 +48,6 @@ Bytes written(const TexelFormat& format, const FaceTexels& face)
     }
     return bytes;
 }
-
-class CancelAfter : public Progress
-{
-public:
-    explicit CancelAfter(int reports)
-        : m_left(reports)
-    {
-    }
-    bool report(double fraction) override
-    {
-        EXPECT_GE(fraction, m_last);
-        m_last = fraction;
-        return m_left-- > 0;
-    }
-
-private:
-    int m_left;
-    double m_last = 0;
-};
 
 } // namespace
 

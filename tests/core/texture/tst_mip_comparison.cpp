@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lattice/texel_family.h"
 #include "core/texture/mip_comparison.h"
+#include "tests/core/cancel_after.h"
 
 #include <gtest/gtest.h>
 
@@ -32,25 +33,6 @@ int stored(const FaceTexels& face, std::size_t index)
 {
     return std::to_integer<int>(face.texel(index)[0]);
 }
-
-class CancelAfter : public Progress
-{
-public:
-    explicit CancelAfter(int reports)
-        : m_left(reports)
-    {
-    }
-    bool report(double fraction) override
-    {
-        EXPECT_GE(fraction, m_last);
-        m_last = fraction;
-        return m_left-- > 0;
-    }
-
-private:
-    int m_left;
-    double m_last = 0;
-};
 
 } // namespace
 

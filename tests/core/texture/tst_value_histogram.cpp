@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/value_histogram.h"
+#include "tests/core/cancel_after.h"
 
 #include <gtest/gtest.h>
 
@@ -317,30 +318,11 @@ TEST(ValueHistogram, threadsAndPiecesDoNotMatter)
     }
 }
 
-class CancelAt final : public Progress
-{
-public:
-    explicit CancelAt(int call)
-        : m_left(call)
-    {
-    }
-    bool report(double fraction) override
-    {
-        EXPECT_GE(fraction, m_last);
-        m_last = fraction;
-        return m_left-- > 0;
-    }
-
-private:
-    int m_left;
-    double m_last = 0;
-};
-
 TEST(ValueHistogram, countingCanBeCancelled)
 {
     const TexelStore store = largeAndSmallFaces();
     for (const int call : {0, 1, 4}) {
-        CancelAt progress(call);
+        CancelAfter progress(call);
         const auto result =
             countValues(store, std::array{TexelNumber{0, {}}}, Threads{2}, progress);
         ASSERT_FALSE(result);
