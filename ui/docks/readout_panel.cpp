@@ -126,7 +126,7 @@ QLayout* ReadoutPanel::makeHeader()
 void ReadoutPanel::addTexelRows(QFormLayout& form)
 {
     m_hex = new QToolButton;
-    m_hex->setText("0x");
+    m_hex->setText(tr("hex"));
     m_hex->setCheckable(true);
     m_hex->setAutoRaise(true);
     m_hex->setMaximumHeight(fontMetrics().height()); // as high as a row

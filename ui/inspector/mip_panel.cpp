@@ -4,7 +4,6 @@
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QDockWidget>
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
@@ -377,16 +376,6 @@ void MipPanel::resizeEvent(QResizeEvent* event)
 void MipPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    // A dock behind others counts as visible, but nobody sees it.
-    for (QWidget* parent = parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
-        if (auto* dock = qobject_cast<QDockWidget*>(parent)) {
-            connect(dock,
-                    &QDockWidget::visibilityChanged,
-                    &m_focus,
-                    &MipFocus::setActive,
-                    Qt::UniqueConnection);
-        }
-    }
     m_focus.setActive(true);
 }
 

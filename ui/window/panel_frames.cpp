@@ -50,6 +50,10 @@ QDockWidget* PanelFrames::frame(const QString& name, const QString& title, QWidg
     dock->setObjectName(name);
     dock->setWidget(content);
     dock->setMinimumWidth(kPanelWidth);
+    // Behind other panels' tabs Qt calls a panel visible: hidden, it knows that nobody sees it.
+    QObject::connect(dock, &QDockWidget::visibilityChanged, content, [content](bool seen) {
+        content->setVisible(seen);
+    });
     for (QWidget* button : dock->findChildren<QWidget*>(QRegularExpression("^qt_dockwidget_.*"))) {
         button->setToolTip(button->objectName().contains("close") ? tr("Close the panel")
                                                                   : tr("Detach the panel"));

@@ -58,6 +58,14 @@ void Style::drawControl(ControlElement element,
     QProxyStyle::drawControl(element, option, painter, widget);
 }
 
+int Style::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
+{
+    constexpr int kTabSpace =
+        12; // left and right of a tab's text, so that six panels can be told apart
+    return metric == PM_TabBarTabHSpace ? kTabSpace
+                                        : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
 int Style::styleHint(StyleHint hint,
                      const QStyleOption* option,
                      const QWidget* widget,

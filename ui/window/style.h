@@ -22,6 +22,9 @@ public:
                      const QStyleOption* option,
                      QPainter* painter,
                      const QWidget* widget = nullptr) const override;
+    int pixelMetric(PixelMetric metric,
+                    const QStyleOption* option = nullptr,
+                    const QWidget* widget = nullptr) const override;
     int styleHint(StyleHint hint,
                   const QStyleOption* option = nullptr,
                   const QWidget* widget = nullptr,

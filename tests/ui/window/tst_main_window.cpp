@@ -46,6 +46,15 @@ private slots:
         }
     }
 
+    void panelsBehindTabsRest()
+    {
+        auto* mesh = m_window->findChild<QDockWidget*>("reportPanel");
+        auto* texel = m_window->findChild<QDockWidget*>("readoutPanel");
+        QTRY_VERIFY(texel->widget()->isVisible() && !mesh->widget()->isVisible());
+        mesh->raise();
+        QTRY_VERIFY(!texel->widget()->isVisible() && mesh->widget()->isVisible());
+    }
+
     void undoAndRedoKeys()
     {
         const std::vector<std::byte> before = allTexels(document().texels());
