@@ -53,6 +53,7 @@ Renderer::Renderer(std::unique_ptr<Gl> gl,
     , m_pictures(std::move(pictures))
     , m_overlay(std::move(overlay))
     , m_layers{Layer{{}, SurfaceTexels(*m_gl)}, Layer{{}, SurfaceTexels(*m_gl)}}
+    , m_timer(*m_gl)
 {
     m_gl->glGenVertexArrays(1, &m_vertexArray);
 }
@@ -152,6 +153,22 @@ void Renderer::drawSide(const Scene& scene, Side texels, Side picture)
 }
 
 void Renderer::draw(const Scene& scene)
+{
+    m_timer.begin();
+    drawFrame(scene);
+    m_timer.end();
+    const DisplayTexels& shown = texels();
+    m_figures = {};
+    m_figures.cardMs = m_timer.milliseconds();
+    m_figures.filtering = scene.surface.filtering;
+    m_figures.levelsDropped = shown.levelsDropped();
+    m_figures.faces = m_faceCount;
+    m_figures.triangles = m_faceCount;
+    m_figures.texels = shown.texelsUsed();
+    m_figures.residentBytes = shown.texelsUsed() * texelBytes(shown.format());
+}
+
+void Renderer::drawFrame(const Scene& scene)
 {
     const glm::ivec2 size = scene.camera.viewport();
     m_gl->glViewport(0, 0, size.x, size.y);

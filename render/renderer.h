@@ -3,6 +3,8 @@
 
 #include "core/base/result.h"
 #include "render/camera.h"
+#include "render/frame_figures.h"
+#include "render/frame_timer.h"
 #include "render/overlay_pass.h"
 #include "render/picture_pass.h"
 #include "render/split.h"
@@ -75,6 +77,9 @@ public:
     /// Draws into the framebuffer that is bound, over all of it.
     void draw(const Scene& scene);
 
+    /// Of the latest frame; the caller knows the processor's time.
+    const FrameFigures& figures() const { return m_figures; }
+
 private:
     Renderer(std::unique_ptr<Gl> gl,
              std::unique_ptr<QOpenGLShaderProgram> background,
@@ -89,6 +94,7 @@ private:
         SurfaceTexels card;
     };
     Layer& layer(Side side) { return m_layers[static_cast<std::size_t>(side)]; }
+    void drawFrame(const Scene& scene);
     void drawBackground();
     void drawSide(const Scene& scene, Side texels, Side picture);
     void applyLook();
@@ -104,6 +110,8 @@ private:
     Look m_look;
     CardLook m_cardLook;
     std::size_t m_faceCount = 0;
+    FrameTimer m_timer;
+    FrameFigures m_figures;
 };
 
 } // namespace trixel::render

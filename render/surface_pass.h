@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/camera.h"
+#include "render/filtering.h"
 #include "render/gl.h"
 #include "render/look.h"
 #include "render/program.h"
@@ -25,6 +26,7 @@ struct SurfaceStyle
     bool texelGrid = false;
     bool hasAlpha = false;   ///< texels lie over a checker
     bool faceColors = false; ///< each face in its one colour, in place of its texels
+    Filtering filtering = Filtering::Texels;
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
 

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "ui/viewport/filtering_words.h"
 #include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 
@@ -90,6 +91,10 @@ void SplitBar::follow()
     case ComparedBy::Before:
         m_left->setText(tr("A: now"));
         m_right->setText(tr("B: before"));
+        break;
+    case ComparedBy::Filtering:
+        m_left->setText(tr("A: %1").arg(filteringTitle(m_settings.view().filtering)));
+        m_right->setText(tr("B: %1").arg(filteringTitle(comparison.filtering)));
         break;
     case ComparedBy::Nothing:
         break;

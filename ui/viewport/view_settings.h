@@ -5,6 +5,7 @@
 
 #include "core/filter/filter_method.h"
 #include "core/paint/brush.h"
+#include "render/filtering.h"
 #include "render/look.h"
 #include "ui/viewport/comparison.h"
 
@@ -33,6 +34,11 @@ struct ViewOptions
     bool footprint = true; ///< ellipse of the hovered pixel on the surface
     int mipDrop = 0;       ///< show every face this many levels coarser
     ViewMapKind map = ViewMapKind::None;
+    render::Filtering filtering = render::Filtering::Texels;
+    bool limitSurface = false; ///< the cage's smooth surface in place of the cage
+    bool paintOnCard = false;  ///< large dabs show before the store has them
+    bool hud = false;          ///< figures of the frame over the picture
+    int cardBudget = 512;      ///< MiB of texels on the graphics card
 
     bool operator==(const ViewOptions&) const = default;
 };

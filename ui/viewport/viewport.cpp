@@ -247,6 +247,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
     }
     if (d->legend) {
         d->legend->place();
+        d->hud->place();
     }
     if (d->goTo) {
         d->goTo->place();

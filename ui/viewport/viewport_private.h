@@ -10,6 +10,7 @@
 #include "ui/document/inspection.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/footprint_legend.h"
+#include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/selection_lines.h"
@@ -77,7 +78,7 @@ public:
     render::Scene scene() const;
     void paintHint();
     void explainNoOpenGl(const QString& reason);
-    void showLegend();
+    void showOverlays();
 
     // viewport_picture.cpp: what is laid over it
     void sendPicture(render::Side side);
@@ -138,6 +139,7 @@ public:
     std::vector<std::uint32_t> normals; ///< empty until they are made
     QLabel* message = nullptr;          ///< in the view's place when it cannot draw
     FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
+    FrameHud* hud = nullptr;            ///< likewise
     GoToBar* goTo = nullptr;            ///< none before it was asked for
 
     std::array<PictureOver, 2> pictures; ///< by side

@@ -49,7 +49,7 @@ void Viewport::Private::takeSurface()
         normalsWatcher.setFuture(QtConcurrent::run(
             [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
     }
-    showLegend();
+    showOverlays();
     q.frameAll();
 }
 
@@ -106,7 +106,7 @@ void Viewport::Private::takeView()
         const QScopedValueRollback itself(pointsItself, true);
         inspection->setLevelsDropped(shownView.mipDrop);
     }
-    showLegend();
+    showOverlays();
     refreshHover();
     redraw();
 }
@@ -131,6 +131,7 @@ void Viewport::Private::makeCanvas()
                    {[this] { makeRenderer(); }, [this] { renderer.reset(); }, [this] { draw(); }},
                    &q);
     legend = new FootprintLegend(&q);
+    hud = new FrameHud(&q);
 }
 
 void Viewport::Private::makeRenderer()
@@ -152,6 +153,8 @@ void Viewport::Private::draw()
     if (!renderer) {
         return;
     }
+    QElapsedTimer clock;
+    clock.start();
     fitCamera(); // the window may have come to a screen of another density
     sendMesh();
     sendTexels(kUploadMs);
@@ -159,6 +162,9 @@ void Viewport::Private::draw()
     sendPicture(render::Side::B);
     sendFaceColors();
     renderer->draw(scene());
+    render::FrameFigures figures = renderer->figures();
+    figures.processorMs = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    hud->take(figures);
     if (!shownSurface) {
         paintHint();
     }
@@ -297,10 +303,11 @@ void Viewport::Private::paintHint()
     painter.drawText(q.rect(), Qt::AlignCenter, tr("Open or drop a mesh"));
 }
 
-void Viewport::Private::showLegend()
+void Viewport::Private::showOverlays()
 {
     if (legend) {
         legend->setVisible(shownSurface && shownView.footprint && !message);
+        hud->setVisible(shownSurface && shownView.hud && !message);
     }
 }
 
@@ -316,7 +323,7 @@ void Viewport::Private::explainNoOpenGl(const QString& reason)
     message->setAutoFillBackground(true);
     message->setGeometry(q.rect());
     message->show();
-    showLegend();
+    showOverlays();
     // Nobody listens yet while the view is being made.
     QMetaObject::invokeMethod(
         &q, [this, sentence] { emit q.notice(sentence); }, Qt::QueuedConnection);

@@ -53,6 +53,11 @@ ViewActions::ViewActions(const Document& document,
         {Qt::Key_O},
         "footprint",
         &ViewOptions::footprint);
+    addSwitch(tr("Frame Fi&gures"),
+              tr("Show what each frame took and drew, and what lies on the graphics card"),
+              QKeySequence(Qt::CTRL | Qt::Key_U),
+              {},
+              &ViewOptions::hud);
     makeMips();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
     connect(&document, &Document::opened, this, [this] { listMips(0); });
@@ -151,7 +156,9 @@ void ViewActions::fillToolBar(QToolBar& bar)
     bar.addAction(m_frameAll);
     bar.addSeparator();
     for (const auto& [action, option] : m_switches) {
-        bar.addAction(action);
+        if (!action->icon().isNull()) { // the bar has those that are switched often
+            bar.addAction(action);
+        }
     }
     bar.addSeparator();
     bar.addWidget(m_mips);
