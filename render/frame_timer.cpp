@@ -16,7 +16,7 @@ FrameTimer::FrameTimer(Gl& gl)
 
 FrameTimer::~FrameTimer()
 {
-    if (m_hasClock) {
+    if (m_hasClock && m_gl.isCurrent()) {
         m_gl.glDeleteQueries(static_cast<GLsizei>(kFrames), m_queries.data());
     }
 }

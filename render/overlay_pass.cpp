@@ -49,8 +49,10 @@ OverlayPass::OverlayPass(Gl& gl, std::unique_ptr<QOpenGLShaderProgram> program)
 
 OverlayPass::~OverlayPass()
 {
-    m_gl.glDeleteBuffers(1, &m_points);
-    m_gl.glDeleteVertexArrays(1, &m_vertexArray);
+    if (m_gl.isCurrent()) {
+        m_gl.glDeleteBuffers(1, &m_points);
+        m_gl.glDeleteVertexArrays(1, &m_vertexArray);
+    }
 }
 
 void OverlayPass::draw(const Camera& camera, const std::vector<Polyline>& lines, float pixelRatio)

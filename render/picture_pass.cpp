@@ -23,7 +23,9 @@ PicturePass::PicturePass(Gl& gl, std::unique_ptr<QOpenGLShaderProgram> program)
 
 PicturePass::~PicturePass()
 {
-    m_gl.glDeleteTextures(1, &m_texture);
+    if (m_gl.isCurrent()) {
+        m_gl.glDeleteTextures(1, &m_texture);
+    }
 }
 
 void PicturePass::set(std::span<const std::uint32_t> pixels, glm::ivec2 size)

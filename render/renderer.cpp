@@ -60,7 +60,9 @@ Renderer::Renderer(std::unique_ptr<Gl> gl,
 
 Renderer::~Renderer()
 {
-    m_gl->glDeleteVertexArrays(1, &m_vertexArray);
+    if (m_gl->isCurrent()) {
+        m_gl->glDeleteVertexArrays(1, &m_vertexArray);
+    }
 }
 
 Status Renderer::setMesh(const TriangleMesh& mesh)

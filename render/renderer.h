@@ -28,7 +28,8 @@ struct Scene
 };
 
 /// Owns all OpenGL objects. Made, used and destroyed with one context current. Holds nothing that
-/// cannot be made again from the mesh and the texel store: when a context is lost, make another.
+/// cannot be made again from the mesh and the texel store: when a context is lost, destroy it, with
+/// any context current or none, and make another.
 class Renderer
 {
 public:

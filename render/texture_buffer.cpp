@@ -16,8 +16,10 @@ TextureBuffer::TextureBuffer(Gl& gl, GLenum format, std::size_t elementBytes)
 
 TextureBuffer::~TextureBuffer()
 {
-    m_gl.glDeleteTextures(1, &m_texture);
-    m_gl.glDeleteBuffers(1, &m_buffer);
+    if (m_gl.isCurrent()) {
+        m_gl.glDeleteTextures(1, &m_texture);
+        m_gl.glDeleteBuffers(1, &m_buffer);
+    }
 }
 
 std::size_t TextureBuffer::maxElements(Gl& gl)

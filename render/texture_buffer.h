@@ -8,8 +8,8 @@
 
 namespace trixel::render {
 
-/// An array on the graphics card that shaders read with `texelFetch`. Everything, the destructor
-/// included, needs the context it was made in to be current.
+/// An array on the graphics card that shaders read with `texelFetch`. Everything
+/// needs the context it was made in to be current; where that was lost, so is what it held.
 class TextureBuffer
 {
 public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QOpenGLExtraFunctions>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -530,6 +531,47 @@ private slots:
                                      QStringLiteral("line.frag"),
                                      QByteArrayLiteral("this is no GLSL\n"));
         QVERIFY(!bad && bad.error().message.find("line.frag") != std::string::npos);
+    }
+
+    void aRendererOfALostContextLeavesOthersAlone()
+    {
+        Offscreen lost;
+        lost.bind();
+        auto renderer = Renderer::create();
+        QVERIFY(renderer);
+        QVERIFY((*renderer)->setMesh(twoFaces()));
+        Offscreen other;
+        other.bind();
+        auto& gl = *other.context().extraFunctions();
+        // The same small numbers that the renderer's objects have in their own context.
+        std::array<GLuint, 64> buffers{};
+        std::array<GLuint, 64> textures{};
+        gl.glGenBuffers(64, buffers.data());
+        gl.glGenTextures(64, textures.data());
+        for (std::size_t k = 0; k < buffers.size(); ++k) {
+            gl.glBindBuffer(GL_ARRAY_BUFFER, buffers[k]);
+            gl.glBindTexture(GL_TEXTURE_2D, textures[k]);
+        }
+        renderer->reset();
+        for (std::size_t k = 0; k < buffers.size(); ++k) {
+            QVERIFY(gl.glIsBuffer(buffers[k]));
+            QVERIFY(gl.glIsTexture(textures[k]));
+        }
+    }
+
+    void theCardsTimeOfAFrameIsKnownSomeFramesLater()
+    {
+        Offscreen target;
+        target.bind();
+        auto renderer = Renderer::create().value();
+        QVERIFY(!renderer->figures().cardMs);
+        QVERIFY(renderer->setMesh(twoFaces()));
+        for (int k = 0; k < 20 && !renderer->figures().cardMs; ++k) {
+            target.drawOnly(*renderer, unlitScene());
+        }
+        QVERIFY(renderer->figures().cardMs);
+        QVERIFY(*renderer->figures().cardMs > 0);
+        QCOMPARE(renderer->figures().faces, std::uint64_t{2});
     }
 
 private:

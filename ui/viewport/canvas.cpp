@@ -33,11 +33,15 @@ void Canvas::initializeGL()
     m_hooks.contextMade();
 }
 
+/// A context that was lost cannot be made current any more, but what was in it must be forgotten
+/// all the same.
 void Canvas::endContext()
 {
     if (isValid()) {
         makeCurrent();
-        m_hooks.contextEnds();
+    }
+    m_hooks.contextEnds();
+    if (isValid()) {
         doneCurrent();
     }
 }

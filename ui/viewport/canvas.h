@@ -17,7 +17,7 @@ public:
     struct Hooks
     {
         std::function<void()> contextMade;
-        std::function<void()> contextEnds;
+        std::function<void()> contextEnds; ///< with none current where it was lost or never made
         std::function<void()> draw;
     };
 

@@ -22,6 +22,7 @@ QSurfaceFormat plainFormat()
     format.setVersion(4, 1);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
+    format.setOption(QSurfaceFormat::ResetNotification); // or a lost context would stay unnoticed
     return format;
 }
 

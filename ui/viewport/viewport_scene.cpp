@@ -143,8 +143,7 @@ void Viewport::Private::makeRenderer()
     }
     renderer = std::move(*made);
     renderer->setLook(settings.look());
-    meshDirty = true;
-    texelsDirty = true;
+    meshDirty = true; // and with it all that is shown on it
 }
 
 /// One frame; the context is current.

@@ -16,6 +16,7 @@ void prepareApplication()
     format.setVersion(4, 1);
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setDepthBufferSize(24);
+    format.setOption(QSurfaceFormat::ResetNotification); // as the view's, which shares with it
     QSurfaceFormat::setDefaultFormat(format);
     QCoreApplication::setOrganizationName("Trixel");
     QCoreApplication::setApplicationName("Trixel");
