@@ -5,6 +5,7 @@
 
 #include "core/paint/stroke.h"
 #include "core/texture/texel_store.h"
+#include "render/card_blocks.h"
 #include "render/display_conversion.h"
 
 #include <cstddef>
@@ -14,23 +15,6 @@
 #include <vector>
 
 namespace trixel::render {
-
-/// What the shader knows of a face.
-struct FaceRecord
-{
-    static constexpr std::uint32_t kLevelMask = 0xff;
-    static constexpr std::uint32_t kConstant = 0x100; ///< one texel stands for all
-    static constexpr std::uint32_t kPending = 0x200;  ///< its texels have not been sent yet
-
-    std::uint32_t offset = 0; ///< first texel of the face
-    std::uint32_t bits = kPending;
-
-    int level() const { return static_cast<int>(bits & kLevelMask); }
-    bool isConstant() const { return (bits & kConstant) != 0; }
-    bool isPending() const { return (bits & kPending) != 0; }
-
-    bool operator==(const FaceRecord&) const = default;
-};
 
 /// What to send to the card, in this order: room, texels, records.
 struct DisplayUpdate
