@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/float_mips.h"
 
-#include "core/lattice/reduction.h"
 #include "core/texture/texel_format.h"
 #include "core/texture/touched_cells.h"
 
@@ -32,49 +31,6 @@ void splitIntoGroups(std::span<const float> texels,
     }
 }
 
-/// One texel of the coarser level by the rule of `finerPixels`.
-void reduceTexel(Level fine, const float* source, std::uint32_t x, std::uint32_t y, float* target)
-{
-    const auto finer =
-        finerPixels(fine, {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
-    std::array<const float*, 4> from{};
-    std::ranges::transform(finer, from.begin(), [&](PackedPixel pixel) {
-        return source + kGroupChannels * indexOf(texelIndex(fine, pixel));
-    });
-    float* to = target + kGroupChannels * (std::size_t{y} * (fine.resolution() / 2) + x);
-    for (int c = 0; c < kGroupChannels; ++c) {
-        to[c] = 0.25F * ((from[0][c] + from[1][c]) + (from[2][c] + from[3][c]));
-    }
-}
-
-void reduceGroup(Level fine, const float* source, float* target)
-{
-    const std::uint32_t resolution = fine.coarser().resolution();
-    for (std::uint32_t y = 0; y < resolution; ++y) {
-        for (std::uint32_t x = 0; x < resolution; ++x) {
-            reduceTexel(fine, source, x, y, target);
-        }
-    }
-}
-
-/// Both texels of the cells; how many.
-std::size_t reduceCells(Level fine, const float* source, const CellRect& cells, float* target)
-{
-    const std::uint32_t r = fine.coarser().resolution();
-    std::size_t count = 0;
-    for (std::uint32_t j = cells.j0; j <= cells.j1; ++j) {
-        for (std::uint32_t i = cells.i0; i <= cells.i1 && i + j < r; ++i) {
-            reduceTexel(fine, source, i, j, target);
-            ++count;
-            if (i + j + 1 < r) {
-                reduceTexel(fine, source, r - 1 - j, r - 1 - i, target);
-                ++count;
-            }
-        }
-    }
-    return count;
-}
-
 /// Everything of one face, from its texels.
 void fillChain(const TexelFormat& format, const FaceTexels& face, std::size_t group, float* values)
 {
@@ -85,12 +41,7 @@ void fillChain(const TexelFormat& format, const FaceTexels& face, std::size_t gr
         return;
     }
     for (int first = 0; first < format.channels; first += kGroupChannels, values += group) {
-        float* source = values;
-        for (Level level = face.level(); level > Level(0); level = level.coarser()) {
-            float* target = source + kGroupChannels * std::size_t{level.texelCount()};
-            reduceGroup(level, source, target);
-            source = target;
-        }
+        fillCoarser(face.level(), values);
     }
 }
 
@@ -99,7 +50,7 @@ void fillChain(const TexelFormat& format, const FaceTexels& face, std::size_t gr
 float* FloatMips::renew(const TexelStore& store, FaceId face)
 {
     const FaceTexels& texels = store.face(face);
-    const std::size_t size = groupSize(texels.level(), texels.isConstant());
+    const std::size_t size = chainSize(texels.level(), texels.isConstant());
     return m_chains.renew(
         face, texels.level(), texels.isConstant(), size * static_cast<std::size_t>(groups()));
 }
@@ -153,7 +104,7 @@ Result<FloatMips> FloatMips::build(const TexelStore& store, Threads threads, Pro
         parallelFor(count, grain, threads, [&](std::size_t from, std::size_t to) {
             for (std::size_t i = begin + from; i < begin + to; ++i) {
                 const FaceTexels& face = store.face(first[i]);
-                const std::size_t size = groupSize(face.level(), face.isConstant());
+                const std::size_t size = chainSize(face.level(), face.isConstant());
                 fillChain(store.format(), face, size, chains[i]);
             }
         });
@@ -178,7 +129,7 @@ std::size_t FloatMips::update(const TexelStore& store, std::span<const TouchedRe
             continue;
         }
         renewed.insert(number);
-        const std::size_t size = groupSize(face.level(), face.isConstant());
+        const std::size_t size = chainSize(face.level(), face.isConstant());
         fillChain(store.format(), face, size, renew(store, rect.face));
         count += m_chains.block(rect.face).size / kGroupChannels;
     }
@@ -190,7 +141,7 @@ std::size_t FloatMips::updateRect(const TexelStore& store, const TouchedRect& re
     const TexelFormat& format = store.format();
     const FaceTexels& face = store.face(rect.face);
     const Level base = face.level();
-    const std::size_t size = groupSize(base, false);
+    const std::size_t size = chainSize(base, false);
     const std::size_t r = base.resolution();
     const std::size_t width =
         std::min<std::size_t>(rect.width, r - std::min<std::size_t>(rect.x, r));
@@ -207,16 +158,7 @@ std::size_t FloatMips::updateRect(const TexelStore& store, const TouchedRect& re
         count += width * static_cast<std::size_t>(groups());
     }
     for (int group = 0; group < groups(); ++group, values += size) {
-        TouchedCells cells(base, rect);
-        for (Level level = base; level > Level(0); level = level.coarser()) {
-            cells = cells.coarser();
-            for (std::size_t k = 0; k < cells.count; ++k) {
-                count += reduceCells(level,
-                                     values + chainBegin(base, level),
-                                     cells.rects[k],
-                                     values + chainBegin(base, level.coarser()));
-            }
-        }
+        count += updateCoarser(base, rect, values);
     }
     return count;
 }

@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/lattice/texel.h"
+#include "core/texture/float_chain.h"
 #include "core/texture/shared_blocks.h"
 #include "core/texture/texel_store.h"
 #include "core/texture/touched_rect.h"
@@ -14,19 +15,6 @@
 #include <span>
 
 namespace trixel {
-
-/// Channels are filtered four at a time: one register of floats.
-inline constexpr int kGroupChannels = 4;
-
-/// Texels of one face at one level, ready to filter: texel `i` of the packed order begins at
-/// values + stride * i and has four channels (those beyond the format's are 0).
-struct LevelTexels
-{
-    const float* values = nullptr;
-    std::uint32_t stride = kGroupChannels; ///< 0 where the face is constant
-
-    const float* texel(TexelIndex index) const { return values + stride * indexOf(index); }
-};
 
 /// Every texel of a store as floats, and every coarser level of every face as the mean of four
 /// without rounding between levels. A cache for filters: faces that share their bytes in the store
@@ -59,7 +47,7 @@ public:
         const SharedBlocks::Block& chain = m_chains.block(face);
         check(level <= chain.level, "a level that the face has");
         const float* values = chain.values.get() + static_cast<std::size_t>(group) *
-                                                       groupSize(chain.level, chain.constant);
+                                                       chainSize(chain.level, chain.constant);
         return chain.constant ? LevelTexels{values, 0}
                               : LevelTexels{values + chainBegin(chain.level, level)};
     }
@@ -80,18 +68,6 @@ public:
     std::size_t memoryBytes() const { return m_chains.memoryBytes(); }
 
 private:
-    /// Floats before a level: finer ones come first, from the base down to level 0.
-    static constexpr std::size_t chainBegin(Level base, Level level)
-    {
-        return kGroupChannels *
-               ((4 * std::size_t{base.texelCount()} - 4 * std::size_t{level.texelCount()}) / 3);
-    }
-    /// Floats of one group of channels.
-    static constexpr std::size_t groupSize(Level base, bool constant)
-    {
-        return kGroupChannels + (constant ? 0 : chainBegin(base, Level(0)));
-    }
-
     float* renew(const TexelStore& store, FaceId face);
     std::size_t updateRect(const TexelStore& store, const TouchedRect& rect);
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "core/texture/conforming_pyramid.h"
-#include "core/texture/touched_cells.h"
 #include "core/texture/vertex_averages.h"
+#include "core/texture/vertex_touch.h"
 
 #include <functional>
-#include <vector>
 
 namespace trixel {
 
 /// Brings one group of channels up to date about touched cells, whose faces keep their levels:
 /// own vertices, those of neighbours on shared edges and corners, and what is derived from them.
-class PyramidUpdate
+class PyramidUpdate final : private VertexTouch
 {
 public:
     /// Where a face's vertices of a level begin, to be written to.
@@ -23,42 +22,38 @@ public:
                   const VertexRings& rings,
                   int group,
                   Writable writable)
-        : m_mips(mips)
-        , m_adjacency(adjacency)
-        , m_rings(rings)
+        : VertexTouch(adjacency, rings, [&mips](FaceId face) { return mips.level(face); })
+        , m_mips(mips)
         , m_averages(mips, adjacency, rings, group)
         , m_writable(std::move(writable))
     {
     }
 
-    void touch(FaceId face, const TouchedRect& rect);
+    void touch(FaceId face, const TouchedRect& rect)
+    {
+        VertexTouch::touch(face, m_mips.level(face), rect);
+    }
     /// What rule 3 derives from vertices that were touched; last.
-    void derive();
+    using VertexTouch::derive;
 
     /// Vertices that were set.
     std::size_t count() const { return m_count; }
 
 private:
-    /// Vertices k0…k1 of an edge of a face at its base level changed, which finer levels derive.
-    struct Span
-    {
-        FaceId face{};
-        LocalEdge edge{};
-        Level base;
-        std::uint32_t k0 = 0, k1 = 0;
-    };
-
-    void touchCells(FaceId face, Level level, const CellRect& cells);
-    void touchEdge(FaceId face, LocalEdge edge, Level level, std::uint32_t k0, std::uint32_t k1);
-    void touchCorner(FaceId face, std::uint8_t corner, Level level);
-    void deriveSpan(const Span& span);
+    void
+    row(FaceId face, Level level, std::uint32_t j, std::uint32_t i0, std::uint32_t i1) override;
+    void edge(FaceId face, LocalEdge edge, Level level, std::uint32_t k) override;
+    void corner(FaceId face, std::uint8_t corner, Level ringBase, Level level) override;
+    void derived(FaceId face,
+                 LocalEdge edge,
+                 Level base,
+                 Level level,
+                 std::uint32_t k0,
+                 std::uint32_t k1) override;
 
     const FloatMips& m_mips;
-    const Adjacency& m_adjacency;
-    const VertexRings& m_rings;
     VertexAverages m_averages;
     Writable m_writable;
-    std::vector<Span> m_spans;
     std::size_t m_count = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/vertex_averages.h"
 
+#include "core/texture/chain_cache.h"
+
 #include <algorithm>
 #include <array>
 
@@ -66,12 +68,13 @@ TexelIndex cornerTexel(Level level, std::uint8_t corner)
 
 } // namespace
 
-std::size_t VertexAverages::row(FaceId face,
-                                Level level,
-                                std::uint32_t j,
-                                std::uint32_t i0,
-                                std::uint32_t i1,
-                                float* values) const
+template <class Mips>
+std::size_t BasicVertexAverages<Mips>::row(FaceId face,
+                                           Level level,
+                                           std::uint32_t j,
+                                           std::uint32_t i0,
+                                           std::uint32_t i1,
+                                           float* values) const
 {
     const std::uint32_t r = level.resolution();
     if (j == 0 || j + 1 >= r) {
@@ -82,6 +85,19 @@ std::size_t VertexAverages::row(FaceId face,
     if (i0 > i1) {
         return 0;
     }
+    insideRow(face, level, j, i0, i1, vertex(level, {i0, j}, values));
+    return i1 - i0 + 1;
+}
+
+template <class Mips>
+void BasicVertexAverages<Mips>::insideRow(FaceId face,
+                                          Level level,
+                                          std::uint32_t j,
+                                          std::uint32_t i0,
+                                          std::uint32_t i1,
+                                          float* first) const
+{
+    const std::uint32_t r = level.resolution();
     const LevelTexels texels = m_mips.texels(face, level, m_group);
     const std::ptrdiff_t right = texels.stride;
     const std::ptrdiff_t up = right * static_cast<std::ptrdiff_t>(r);
@@ -90,7 +106,7 @@ std::size_t VertexAverages::row(FaceId face,
     const float* lower = texels.values + right * std::ptrdiff_t{i0} + up * std::ptrdiff_t{j};
     const float* upper = texels.values + right * (std::ptrdiff_t{r} - 1 - std::ptrdiff_t{j}) +
                          up * (std::ptrdiff_t{r} - 1 - std::ptrdiff_t{i0});
-    float* value = vertex(level, {i0, j}, values);
+    float* value = first;
     for (std::uint32_t i = i0; i <= i1; ++i) {
         for (int c = 0; c < kGroupChannels; ++c) {
             const double sum = (double{lower[c]} + double{(lower - right)[c]}) +
@@ -102,18 +118,26 @@ std::size_t VertexAverages::row(FaceId face,
         upper -= up;
         value += kGroupChannels;
     }
-    return i1 - i0 + 1;
 }
 
-Level VertexAverages::edgeBase(FaceId face, LocalEdge edge) const
+template <class Mips>
+Level BasicVertexAverages<Mips>::edgeBase(FaceId face, LocalEdge edge) const
 {
     const Level own = m_mips.level(face);
     const auto across = m_adjacency.neighbour(face, edge);
     return across ? std::min(own, m_mips.level(across->face)) : own;
 }
 
-void VertexAverages::onEdgeOf(
+template <class Mips>
+void BasicVertexAverages<Mips>::onEdgeOf(
     FaceId face, LocalEdge edge, Level level, std::uint32_t k, float* values) const
+{
+    edgeValue(face, edge, level, k, vertex(level, onEdge(level, edge, k), values));
+}
+
+template <class Mips>
+void BasicVertexAverages<Mips>::edgeValue(
+    FaceId face, LocalEdge edge, Level level, std::uint32_t k, float* value) const
 {
     Sum sum{};
     addOnEdge(m_mips.texels(face, level, m_group), level, edge, k, sum);
@@ -122,15 +146,16 @@ void VertexAverages::onEdgeOf(
         const LevelTexels there = m_mips.texels(across->face, level, m_group);
         addOnEdge(there, level, across->edge, level.resolution() - k, sum);
     }
-    store(sum, across ? 6 : 3, vertex(level, onEdge(level, edge, k), values));
+    store(sum, across ? 6 : 3, value);
 }
 
-void VertexAverages::derive(LocalEdge edge,
-                            Level base,
-                            const float* baseValues,
-                            Level level,
-                            std::uint32_t k,
-                            float* values)
+template <class Mips>
+void BasicVertexAverages<Mips>::derive(LocalEdge edge,
+                                       Level base,
+                                       const float* baseValues,
+                                       Level level,
+                                       std::uint32_t k,
+                                       float* values)
 {
     const int steps = level.log2() - base.log2();
     const std::uint32_t span = 1U << steps;
@@ -141,14 +166,20 @@ void VertexAverages::derive(LocalEdge edge,
     const float* from = at(k >> steps);
     const float* to = at((k >> steps) + 1);
     const double t = static_cast<double>(k & (span - 1)) / span;
-    float* value = vertex(level, onEdge(level, edge, k), values);
+    between(from, to, t, vertex(level, onEdge(level, edge, k), values));
+}
+
+template <class Mips>
+void BasicVertexAverages<Mips>::between(const float* from, const float* to, double t, float* value)
+{
     for (int c = 0; c < kGroupChannels; ++c) {
         // What does not count may be anything, also NaN.
         value[c] = t > 0 ? static_cast<float>((1 - t) * from[c] + t * to[c]) : from[c];
     }
 }
 
-Level VertexAverages::ringBase(FaceId face, std::uint8_t corner) const
+template <class Mips>
+Level BasicVertexAverages<Mips>::ringBase(FaceId face, std::uint8_t corner) const
 {
     Level coarsest(Level::kMax);
     for (const Corner& other : m_rings.corners(m_rings.ring({face, corner}))) {
@@ -157,8 +188,17 @@ Level VertexAverages::ringBase(FaceId face, std::uint8_t corner) const
     return coarsest;
 }
 
-void VertexAverages::atCorner(
+template <class Mips>
+void BasicVertexAverages<Mips>::atCorner(
     FaceId face, std::uint8_t corner, Level ringBase, Level level, float* values) const
+{
+    const LatticePoint at = onEdge(level, static_cast<LocalEdge>(corner), 0);
+    cornerValue(face, corner, ringBase, level, vertex(level, at, values));
+}
+
+template <class Mips>
+void BasicVertexAverages<Mips>::cornerValue(
+    FaceId face, std::uint8_t corner, Level ringBase, Level level, float* value) const
 {
     const auto ring = m_rings.corners(m_rings.ring({face, corner}));
     const Level from = std::min(level, ringBase);
@@ -166,9 +206,10 @@ void VertexAverages::atCorner(
     for (const Corner& other : ring) {
         add(m_mips.texels(other.face, from, m_group).texel(cornerTexel(from, other.index)), sum);
     }
-    store(sum,
-          static_cast<int>(ring.size()),
-          vertex(level, onEdge(level, static_cast<LocalEdge>(corner), 0), values));
+    store(sum, static_cast<int>(ring.size()), value);
 }
+
+template class BasicVertexAverages<FloatMips>;
+template class BasicVertexAverages<FaceMips>;
 
 } // namespace trixel

@@ -6,6 +6,7 @@
 #include "core/mesh/vertex_rings.h"
 #include "core/texture/float_mips.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,6 +23,21 @@ constexpr std::size_t latticeVertexCount(Level level)
 constexpr std::size_t latticeVertex(Level level, std::uint32_t i, std::uint32_t j)
 {
     return std::size_t{j} * (2 * std::size_t{level.resolution()} + 3 - j) / 2 + i;
+}
+
+/// The row j that a vertex lies in; `latticeVertex` backwards.
+inline std::uint32_t latticeRow(Level level, std::uint32_t vertex)
+{
+    const double b = 2.0 * level.resolution() + 3;
+    // The root is off by an ulp at most, and so by a row.
+    auto j = static_cast<std::uint32_t>((b - std::sqrt(b * b - 8.0 * vertex)) / 2);
+    while (latticeVertex(level, 0, j + 1) <= vertex) {
+        ++j;
+    }
+    while (latticeVertex(level, 0, j) > vertex) {
+        --j;
+    }
+    return j;
 }
 
 /// Position on a face's lattice.
@@ -43,13 +59,15 @@ constexpr LatticePoint onEdge(Level level, LocalEdge edge, std::uint32_t k)
 /// Computes averages of one group of channels into blocks whose vertices of a level, four floats
 /// each, begin at `values`. Means are summed in double, so that neither order nor constants lose
 /// anything.
-class VertexAverages
+/// \tparam Mips  where texels come from: `FloatMips`, or `FaceMips` that makes them when asked
+template <class Mips>
+class BasicVertexAverages
 {
 public:
-    VertexAverages(const FloatMips& mips,
-                   const Adjacency& adjacency,
-                   const VertexRings& rings,
-                   int group)
+    BasicVertexAverages(const Mips& mips,
+                        const Adjacency& adjacency,
+                        const VertexRings& rings,
+                        int group)
         : m_mips(mips)
         , m_adjacency(adjacency)
         , m_rings(rings)
@@ -58,6 +76,7 @@ public:
     }
 
     /// Rule 1: vertices (i0…i1, j) that are inside the face; returns how many.
+    /// \param values  of the level, of which the row's are written
     std::size_t row(FaceId face,
                     Level level,
                     std::uint32_t j,
@@ -65,12 +84,22 @@ public:
                     std::uint32_t i1,
                     float* values) const;
 
+    /// The same, with the value of vertex (i0, j) at `first`; all must be inside.
+    void insideRow(FaceId face,
+                   Level level,
+                   std::uint32_t j,
+                   std::uint32_t i0,
+                   std::uint32_t i1,
+                   float* first) const;
+
     /// The coarser of the two levels that meet at an edge, which values on it derive from; the own
     /// at a border.
     Level edgeBase(FaceId face, LocalEdge edge) const;
 
     /// Rules 2 and 5: vertex k of an edge, 0 < k < R, level not above edgeBase.
     void onEdgeOf(FaceId face, LocalEdge edge, Level level, std::uint32_t k, float* values) const;
+    /// The same into `value`.
+    void edgeValue(FaceId face, LocalEdge edge, Level level, std::uint32_t k, float* value) const;
 
     /// Rule 3: vertex k of an edge, 0 < k < R, at a level above `base`, the edge's.
     static void derive(LocalEdge edge,
@@ -80,18 +109,26 @@ public:
                        std::uint32_t k,
                        float* values);
 
+    /// The value at t in [0, 1) between two of rule 3's.
+    static void between(const float* from, const float* to, double t, float* value);
+
     /// The coarsest base about a corner.
     Level ringBase(FaceId face, std::uint8_t corner) const;
 
     /// Rule 4. \param ringBase  of the corner
     void
     atCorner(FaceId face, std::uint8_t corner, Level ringBase, Level level, float* values) const;
+    /// The same into `value`.
+    void
+    cornerValue(FaceId face, std::uint8_t corner, Level ringBase, Level level, float* value) const;
 
 private:
-    const FloatMips& m_mips;
+    const Mips& m_mips;
     const Adjacency& m_adjacency;
     const VertexRings& m_rings;
     int m_group;
 };
+
+using VertexAverages = BasicVertexAverages<FloatMips>;
 
 } // namespace trixel
