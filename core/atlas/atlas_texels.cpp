@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/atlas/atlas_texels.h"
+
+#include "core/lattice/edge_transfer.h"
+#include "core/texture/mips.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace trixel {
+
+namespace {
+
+/// The edge that a point lies farthest beyond, or nothing where it is inside.
+std::optional<LocalEdge> edgeBeyond(glm::dvec2 uv)
+{
+    const double w = 1 - uv.x - uv.y;
+    const double least = std::min({uv.x, uv.y, w});
+    return least >= 0      ? std::nullopt
+           : least == uv.y ? std::optional(LocalEdge::E0)
+           : least == w    ? std::optional(LocalEdge::E1)
+                           : std::optional(LocalEdge::E2);
+}
+
+/// Copies a texel to so many that follow each other.
+void repeat(std::span<const std::byte> texel, std::size_t count, std::byte* target)
+{
+    for (std::size_t k = 0; k < count; ++k) {
+        std::memcpy(target + k * texel.size(), texel.data(), texel.size());
+    }
+}
+
+} // namespace
+
+AtlasTexels::AtlasTexels(const TexelStore& store, const Adjacency& adjacency)
+    : m_adjacency(adjacency)
+    , m_format(store.format())
+    , m_faces(store.faceCount())
+{
+    check(adjacency.faceCount() == store.faceCount(), "adjacency of these faces");
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+        m_faces[f] = store.face(faceId(f));
+        m_level = std::max(m_level, m_faces[f].level());
+    }
+}
+
+void AtlasTexels::coarsen(Threads threads)
+{
+    check(m_level > Level(), "a level to reduce");
+    parallelFor(m_faces.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            if (m_faces[f].level() == m_level) {
+                m_faces[f] = reduced(m_format, m_faces[f]);
+            }
+        }
+    });
+    m_level = m_level.coarser();
+}
+
+AtlasSource AtlasTexels::source(FaceId face, LatticeCell cell) const
+{
+    const double third = cell.half == TexelHalf::Lower ? 1.0 / 3.0 : 2.0 / 3.0;
+    glm::dvec2 uv = glm::dvec2(cell.i + third, cell.j + third) / double(levelOf(face).resolution());
+    // A cell of a border lies at most two cells beyond: a few faces about a corner at most.
+    constexpr int kMostCrossings = 4;
+    for (int k = 0; k < kMostCrossings; ++k) {
+        const std::optional<LocalEdge> edge = edgeBeyond(uv);
+        const auto next = edge ? m_adjacency.neighbour(face, *edge) : std::nullopt;
+        if (!next) {
+            break;
+        }
+        uv = acrossEdge(*edge, next->edge, uv);
+        face = next->face;
+    }
+    return {face, levelOf(face), texelAt(levelOf(face), uv)};
+}
+
+void AtlasTexels::fillBorder(FaceId face,
+                             const AtlasTile& tile,
+                             std::uint32_t row,
+                             std::uint32_t begin,
+                             std::uint32_t end,
+                             std::byte* target) const
+{
+    const std::size_t texelBytes = m_format.texelBytes();
+    for (std::uint32_t x = begin; x < end; ++x) {
+        const AtlasSource from = source(face, tile.cell({x, row}));
+        const auto texel =
+            m_faces[indexOf(from.face)].texel(indexOf(texelIndex(from.level, from.texel)));
+        std::memcpy(target + x * texelBytes, texel.data(), texelBytes);
+    }
+}
+
+void AtlasTexels::fill(FaceId face,
+                       const AtlasTile& tile,
+                       std::byte* page,
+                       std::size_t stride) const
+{
+    const FaceTexels& texels = m_faces[indexOf(face)];
+    const std::uint32_t resolution = texels.level().resolution();
+    const std::size_t texelBytes = m_format.texelBytes();
+    const std::uint32_t side = tile.side();
+    check(side == resolution || side == resolution + 4, "the tile of this level");
+    // Each half keeps its rows and columns as in the packed square, moved by so many pixels.
+    const std::uint32_t lower = side == resolution ? 0 : 1;
+    const std::uint32_t upper = 3 * lower;
+    const auto copy = [&](std::uint32_t x, std::uint32_t y, std::uint32_t count, std::byte* to) {
+        if (texels.isConstant()) {
+            repeat(texels.bytes(), count, to);
+        } else {
+            std::memcpy(to,
+                        texels.bytes().data() + (std::size_t{y} * resolution + x) * texelBytes,
+                        count * texelBytes);
+        }
+    };
+    for (std::uint32_t row = 0; row < side; ++row) {
+        std::byte* target = page + row * stride;
+        std::uint32_t done = 0; // columns of this row
+        const auto place =
+            [&](std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t moved) {
+                fillBorder(face, tile, row, done, x + moved, target);
+                copy(x, y, count, target + (x + moved) * texelBytes);
+                done = x + moved + count;
+            };
+        if (row >= lower && row - lower < resolution) {
+            place(0, row - lower, resolution - (row - lower), lower);
+        }
+        if (row >= upper && row - upper < resolution && row > upper) {
+            place(resolution - (row - upper), row - upper, row - upper, upper);
+        }
+        fillBorder(face, tile, row, done, side, target);
+    }
+}
+
+} // namespace trixel

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/atlas/atlas_texels.h"
+#include "core/texture/mips.h"
+#include "tests/core/test_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+using namespace trixel;
+
+namespace {
+
+const TexelFormat kFloat{TexelType::Float, 1, std::nullopt};
+
+/// An n × n grid of squares, each of two triangles whose corners are numbered from any of theirs:
+/// every pairing of edges occurs, and neighbours unfold as parallelograms.
+TriangleMesh turnedGrid(int n, unsigned seed)
+{
+    std::mt19937 random(seed);
+    TriangleMesh mesh;
+    const auto id = [n](int i, int j) { return static_cast<std::uint32_t>(i + j * (n + 1)); };
+    for (int j = 0; j <= n; ++j) {
+        for (int i = 0; i <= n; ++i) {
+            mesh.positions.push_back({static_cast<float>(i), static_cast<float>(j), 0});
+        }
+    }
+    const auto add = [&](Triangle triangle) {
+        std::rotate(
+            triangle.begin(), triangle.begin() + static_cast<long>(random() % 3), triangle.end());
+        mesh.triangles.push_back(triangle);
+    };
+    for (int j = 0; j < n; ++j) {
+        for (int i = 0; i < n; ++i) {
+            add({id(i, j), id(i + 1, j), id(i, j + 1)});
+            add({id(i + 1, j + 1), id(i, j + 1), id(i + 1, j)});
+        }
+    }
+    return mesh;
+}
+
+float affine(glm::vec3 point)
+{
+    return 3 * point.x - 2 * point.y + 7;
+}
+
+glm::vec3 pointOf(const TriangleMesh& mesh, FaceId face, glm::dvec2 uv)
+{
+    const auto corners = mesh.corners(face);
+    return corners[0] + static_cast<float>(uv.x) * (corners[1] - corners[0]) +
+           static_cast<float>(uv.y) * (corners[2] - corners[0]);
+}
+
+/// Every texel holds the function's value at its centroid.
+TexelStore affineStore(const TriangleMesh& mesh, Level level)
+{
+    TexelStore store(
+        static_cast<std::uint32_t>(mesh.faceCount()), kFloat, level, std::vector<std::byte>(4));
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const std::span<std::byte> texels = store.writable(faceId(f));
+        for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
+            const float value =
+                affine(pointOf(mesh, faceId(f), centroid(level, texelAt(level, TexelIndex(k)))));
+            std::memcpy(texels.data() + 4 * k, &value, 4);
+        }
+    }
+    return store;
+}
+
+TexelStore randomStore(std::size_t faces, const TexelFormat& format, int most, unsigned seed)
+{
+    std::mt19937 random(seed);
+    FaceMap<Level> levels(faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        levels[faceId(f)] = Level(static_cast<int>(random() % static_cast<unsigned>(most + 1)));
+    }
+    TexelStore store(format, levels, std::vector<std::byte>(format.texelBytes()));
+    std::uniform_real_distribution<float> in(0, 1);
+    for (std::size_t f = 0; f < faces; ++f) {
+        if (f % 4 == 3) {
+            continue; // stays constant
+        }
+        const std::span<std::byte> texels = store.writable(faceId(f));
+        std::vector<float> values(texels.size() / byteSize(format.type));
+        for (float& value : values) {
+            value = in(random);
+        }
+        encode(format.type, values, texels);
+    }
+    return store;
+}
+
+struct Tile
+{
+    AtlasTile shape;
+    std::vector<std::byte> bytes;
+    std::size_t texelBytes;
+
+    Tile(const AtlasTexels& texels, FaceId face, Level level, AtlasBorder border)
+        : shape(level, border)
+        , texelBytes(texels.format().texelBytes())
+    {
+        bytes.resize(texelBytes * shape.side() * shape.side(), std::byte{0xcd});
+        texels.fill(face, shape, bytes.data(), texelBytes * shape.side());
+    }
+    std::span<const std::byte> at(AtlasPixel pixel) const
+    {
+        return std::span(bytes).subspan(
+            (std::size_t{pixel.y} * shape.side() + pixel.x) * texelBytes, texelBytes);
+    }
+    float value(AtlasPixel pixel) const
+    {
+        float result = 0;
+        std::memcpy(&result, at(pixel).data(), 4);
+        return result;
+    }
+};
+
+TEST(AtlasTexels, everyTexelOfEveryLevelIsThereToTheBit)
+{
+    const TriangleMesh mesh = turnedGrid(3, 1);
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    for (const TexelFormat& format : {TexelFormat{TexelType::UInt8, 3, std::nullopt},
+                                      TexelFormat{TexelType::Half, 4, std::nullopt},
+                                      kFloat}) {
+        const TexelStore store = randomStore(mesh.faceCount(), format, 6, 2);
+        AtlasTexels texels(store, adjacency);
+        while (true) {
+            for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+                const FaceTexels& base = store.face(faceId(f));
+                if (base.level() < texels.level()) {
+                    continue;
+                }
+                const FaceTexels expected =
+                    reduced(format, base, base.level().log2() - texels.level().log2());
+                for (const AtlasBorder border : {AtlasBorder::None, AtlasBorder::Bilinear}) {
+                    const Tile tile(texels, faceId(f), texels.level(), border);
+                    for (std::uint32_t k = 0; k < texels.level().texelCount(); ++k) {
+                        const TexelCoord at = texelAt(texels.level(), TexelIndex(k));
+                        const auto stored = tile.at(tile.shape.pixel({at.i, at.j, at.half}));
+                        ASSERT_TRUE(std::ranges::equal(stored, expected.texel(k)));
+                    }
+                }
+            }
+            if (texels.level() == Level()) {
+                break;
+            }
+            texels.coarsen(Threads{1});
+        }
+    }
+}
+
+/// A flat mesh goes on across its edges, whichever of them meet: borders that are of the true
+/// neighbours, and of the right texels of them, go on with it.
+TEST(AtlasTexels, bordersContinueAnAffineFunction)
+{
+    const TriangleMesh mesh = turnedGrid(5, 4);
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    for (const int n : {1, 2, 4}) {
+        const TexelStore store = affineStore(mesh, Level(n));
+        const AtlasTexels texels(store, adjacency);
+        int checked = 0;
+        for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+            const Tile tile(texels, faceId(f), Level(n), AtlasBorder::Bilinear);
+            for (std::uint32_t y = 0; y < tile.shape.side(); ++y) {
+                for (std::uint32_t x = 0; x < tile.shape.side(); ++x) {
+                    const LatticeCell cell = tile.shape.cell({x, y});
+                    const double third = cell.half == TexelHalf::Lower ? 1.0 / 3 : 2.0 / 3;
+                    const glm::dvec2 uv =
+                        glm::dvec2(cell.i + third, cell.j + third) / double(Level(n).resolution());
+                    const glm::vec3 point = pointOf(mesh, faceId(f), uv);
+                    if (point.x < 0 || point.y < 0 || point.x > 5 || point.y > 5) {
+                        continue; // beyond the mesh
+                    }
+                    ++checked;
+                    EXPECT_NEAR(tile.value({x, y}), affine(point), 1e-4);
+                }
+            }
+        }
+        EXPECT_GT(checked, 50 * static_cast<int>(Level(n).texelCount()));
+    }
+}
+
+TEST(AtlasTexels, neighboursOfOtherLevelsGiveTheirTexelUnderTheCell)
+{
+    const TriangleMesh mesh = turnedGrid(1, 9); // two faces
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    FaceMap<Level> levels(2);
+    levels[faceId(0)] = Level(4);
+    levels[faceId(1)] = Level(1);
+    const std::array<std::byte, 4> black{};
+    const TexelStore store(kFloat, levels, black);
+    AtlasTexels texels(store, adjacency);
+    const AtlasTile tile(Level(4), AtlasBorder::Bilinear);
+    for (std::uint32_t y = 0; y < tile.side(); ++y) {
+        for (std::uint32_t x = 0; x < tile.side(); ++x) {
+            const AtlasSource from = texels.source(faceId(0), tile.cell({x, y}));
+            EXPECT_EQ(from.level, levels[from.face]);
+            EXPECT_TRUE(isValid(from.level, from.texel));
+        }
+    }
+    texels.coarsen(Threads{1});
+    EXPECT_EQ(texels.source(faceId(0), {0, 0, TexelHalf::Lower}).level, Level(3));
+    EXPECT_EQ(texels.source(faceId(1), {0, 0, TexelHalf::Lower}).level, Level(1));
+}
+
+TEST(AtlasTexels, aBorderOfTheMeshRepeatsTheNearestTexels)
+{
+    const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    const TexelStore store = affineStore(mesh, Level(3));
+    const AtlasTexels texels(store, adjacency);
+    const LatticeCell below{3, -1, TexelHalf::Upper}; // shares its upper edge with lower (3,0)…
+    const AtlasSource from = texels.source(faceId(0), below);
+    EXPECT_EQ(from.texel.j, 0);
+    EXPECT_LE(std::abs(int(from.texel.i) - 3), 1);
+    const Tile tile(texels, faceId(0), Level(3), AtlasBorder::Bilinear);
+    for (std::uint32_t y = 0; y < tile.shape.side(); ++y) {
+        for (std::uint32_t x = 0; x < tile.shape.side(); ++x) {
+            EXPECT_TRUE(std::abs(tile.value({x, y})) < 100); // nothing is left unset
+        }
+    }
+}
+
+} // namespace
