@@ -63,8 +63,10 @@ PaintTarget::PaintTarget(Gl& gl)
 
 PaintTarget::~PaintTarget()
 {
-    m_gl.glDeleteFramebuffers(1, &m_framebuffer);
-    m_gl.glDeleteTextures(1, &m_texture);
+    if (m_gl.isCurrent()) {
+        m_gl.glDeleteFramebuffers(1, &m_framebuffer);
+        m_gl.glDeleteTextures(1, &m_texture);
+    }
 }
 
 bool PaintTarget::allocate(GLenum format, std::uint32_t rows)
@@ -137,7 +139,9 @@ PaintSheet::PaintSheet(Gl& gl, GLenum coverage, Program dabs, Program copy)
 
 PaintSheet::~PaintSheet()
 {
-    m_gl.glDeleteVertexArrays(1, &m_vertexArray);
+    if (m_gl.isCurrent()) {
+        m_gl.glDeleteVertexArrays(1, &m_vertexArray);
+    }
 }
 
 bool PaintSheet::reserve(std::uint32_t rows)

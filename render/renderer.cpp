@@ -79,6 +79,7 @@ Status Renderer::setMesh(const TriangleMesh& mesh)
 void Renderer::clear()
 {
     m_faceCount = 0;
+    m_preview.reset();
     for (Layer& layer : m_layers) {
         layer.display = {};
         layer.card.clear(0);
@@ -115,6 +116,7 @@ void Renderer::applyLook()
     for (Layer& layer : m_layers) {
         layer.display.showChannels(channels);
     }
+    m_cardLook.channels = channels;
     const auto number = std::ranges::find(channels, m_cardLook.rule.number);
     m_cardLook.component =
         number == channels.end() ? 0 : static_cast<int>(number - channels.begin());
@@ -136,6 +138,18 @@ std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudg
     return update.bytes.size();
 }
 
+Result<PaintPreview*> Renderer::preview()
+{
+    if (!m_preview) {
+        auto made = PaintPreview::create(*m_gl);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        m_preview = std::move(*made);
+    }
+    return m_preview.get();
+}
+
 void Renderer::drawBackground()
 {
     m_gl->glDisable(GL_DEPTH_TEST);
@@ -148,7 +162,8 @@ void Renderer::drawBackground()
 void Renderer::drawSide(const Scene& scene, Side texels, Side picture)
 {
     m_gl->glBindVertexArray(m_vertexArray);
-    m_surface->draw(scene.camera, scene.surface, layer(texels).card, m_cardLook);
+    PaintPreview* preview = texels == Side::A ? m_preview.get() : nullptr;
+    m_surface->draw(scene.camera, scene.surface, layer(texels).card, m_cardLook, preview);
     m_gl->glBindVertexArray(m_vertexArray);
     this->picture(picture).draw();
     m_gl->glBindVertexArray(0);

@@ -66,6 +66,10 @@ public:
     /// frames to come; see `uploadTexels`.
     void setLook(const Look& look);
 
+    /// What a stroke in progress makes of side A's texels, shown over them; made at the first call.
+    /// Fails where the card cannot draw it.
+    Result<PaintPreview*> preview();
+
     /// A picture laid over the surface and under the lines; see `PicturePass`.
     PicturePass& picture(Side side = Side::A)
     {
@@ -107,6 +111,7 @@ private:
     std::unique_ptr<OverlayPass> m_overlay;
     GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
     std::array<Layer, 2> m_layers;
+    std::unique_ptr<PaintPreview> m_preview; ///< none before it was asked for
     TexelFormat m_format;
     Look m_look;
     CardLook m_cardLook;

@@ -19,7 +19,7 @@ constexpr std::size_t kRanged = 1;
 constexpr std::size_t kNumber = 2;
 constexpr std::size_t kFalseColor = 3;
 constexpr std::size_t kFaceColors = 4;
-constexpr std::size_t kLookShift = 5; // of it in a variant
+constexpr std::size_t kLookShift = 6; // of it in a variant
 
 std::size_t lookOf(const LookRule& rule)
 {
@@ -34,7 +34,7 @@ std::size_t lookOf(const LookRule& rule)
     return kFalseColor;
 }
 
-std::size_t variantOf(const SurfaceStyle& style, const LookRule& rule)
+std::size_t variantOf(const SurfaceStyle& style, const LookRule& rule, bool isPainted = false)
 {
     const bool isOfTexels = !style.faceColors;
     const std::size_t look = isOfTexels ? lookOf(rule) : kFaceColors;
@@ -43,14 +43,15 @@ std::size_t variantOf(const SurfaceStyle& style, const LookRule& rule)
     const bool hasAlpha = style.hasAlpha && look < kNumber && rule.opacity >= 0;
     const bool hasMarks = rule.marks && isOfTexels;
     return (isLit ? 1U : 0U) | (style.wireframe ? 2U : 0U) | (style.texelGrid ? 4U : 0U) |
-           (hasAlpha ? 8U : 0U) | (hasMarks ? 16U : 0U) | (look << kLookShift);
+           (hasAlpha ? 8U : 0U) | (hasMarks ? 16U : 0U) | (isPainted && isOfTexels ? 32U : 0U) |
+           (look << kLookShift);
 }
 
 QByteArray definesOf(std::size_t variant)
 {
     QByteArray lines;
     std::size_t bit = 1;
-    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA", "MARKS"}) {
+    for (const char* name : {"LIT", "WIREFRAME", "TEXEL_GRID", "ALPHA", "MARKS", "PAINTED"}) {
         lines += QByteArray("#define ") + name + ((variant & bit) != 0 ? " 1\n" : " 0\n");
         bit *= 2;
     }
@@ -173,7 +174,8 @@ void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
 void SurfacePass::draw(const Camera& camera,
                        const SurfaceStyle& style,
                        SurfaceTexels& texels,
-                       const CardLook& look)
+                       const CardLook& look,
+                       PaintPreview* preview)
 {
     if (m_faceCount == 0 || texels.isEmpty()) {
         return;
@@ -181,7 +183,8 @@ void SurfacePass::draw(const Camera& camera,
     // The same source has compiled for another style: failing here is for lack of memory at most.
     SurfaceStyle possible = style;
     possible.faceColors = style.faceColors && m_faceColors.size() > 0;
-    const std::size_t variant = variantOf(possible, look.rule);
+    const bool isPainted = preview != nullptr && preview->isShown();
+    const std::size_t variant = variantOf(possible, look.rule, isPainted);
     if (!m_programs[variant] && !makeProgram(variant)) {
         return;
     }
@@ -194,6 +197,9 @@ void SurfacePass::draw(const Camera& camera,
     m_faceColors.bind(5);
     m_scale.bind(6);
     setLook(program, look);
+    if (isPainted) {
+        preview->use(program, look.channels, 7, 8);
+    }
     program.setUniformValue("view", toQt(camera.view()));
     program.setUniformValue("projection", toQt(camera.projection()));
     program.setUniformValue("hasNormals", m_normals.size() > 0);

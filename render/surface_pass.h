@@ -7,6 +7,7 @@
 #include "render/filtering.h"
 #include "render/gl.h"
 #include "render/look.h"
+#include "render/paint_preview.h"
 #include "render/program.h"
 #include "render/surface_texels.h"
 #include "render/texture_buffer.h"
@@ -35,6 +36,7 @@ struct CardLook
 {
     LookRule rule;
     int component = 0; ///< of the four on the card, where the rule's number is one channel
+    CardChannels channels{0, 1, 2, -1}; ///< that the four on the card hold
 };
 
 /// Draws a mesh with texels, in one call. Memory on the card: 12 bytes a mesh vertex and 24 a face
@@ -52,17 +54,19 @@ public:
     /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
     void setFaceColors(std::span<const std::uint32_t> colors);
 
-    /// \param texels  of the mesh; nothing is drawn while they are empty
+    /// \param texels   of the mesh; nothing is drawn while they are empty
+    /// \param preview  of a stroke that they do not hold yet, if any
     void draw(const Camera& camera,
               const SurfaceStyle& style,
               SurfaceTexels& texels,
-              const CardLook& look);
+              const CardLook& look,
+              PaintPreview* preview = nullptr);
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();
 
 private:
-    static constexpr std::size_t kVariants = 160;
+    static constexpr std::size_t kVariants = 320;
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);

@@ -1,7 +1,7 @@
 #version 410 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// LIT, WIREFRAME, TEXEL_GRID, ALPHA and MARKS are defined as 0 or 1, LOOK as 0 to 4: a program for
+// LIT, WIREFRAME, TEXEL_GRID, ALPHA, MARKS and PAINTED are defined as 0 or 1, LOOK as 0 to 4: a program for
 // each way of drawing, because a processor that draws runs both sides of every branch.
 // LOOK is 0 for values as they are, 1 for colours in a range, 2 for a number as grey, 3 for a number
 // in false colour: what render/look.cpp does on the processor; and 4 for a colour a face.
@@ -13,6 +13,10 @@ uniform float black;               // a value is shown at (value - black) * scal
 uniform float scale;
 uniform float most;    // larger values are clipped
 uniform int component; // that is the number, or -1 for the luminance
+uniform usamplerBuffer squares;    // a face: its square in the sheet, 0 where it has none
+uniform sampler2D sheet;           // of paint: how far a stroke covers each texel
+uniform vec4 paint;                // that the stroke moves texels towards
+uniform bool paintIsUnit;          // texels cannot leave [0, 1]
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
 
@@ -107,9 +111,34 @@ Shown shownOf(vec4 texel)
     return result;
 }
 
+// The face's square: `PaintSquare::word` in render/paint_squares.h.
+uint squareWord()
+{
+    return PAINTED == 1 ? texelFetch(squares, gl_PrimitiveID).x : 0u;
+}
+
+// A texel as the stroke in progress leaves it: what `TexelBlend` does on the processor.
+vec4 painted(vec4 texel, vec2 p, int resolution)
+{
+    uint word = squareWord();
+    if (word == 0u) {
+        return texel;
+    }
+    int level = int(word >> 26 & 0xfu);
+    int side = 1 << level;
+    int index = texelIndex(p * (float(side) / float(resolution)), side);
+    ivec2 place = ivec2(word & 0x1fffu, word >> 13 & 0x1fffu);
+    float part = texelFetch(sheet, place + ivec2(index & (side - 1), index >> level), 0).r;
+    vec4 moved = part < 1.0 ? texel + part * (paint - texel) : paint;
+    moved = paintIsUnit ? clamp(moved, 0.0, 1.0) : moved;
+    return part > 0.0 ? moved : texel;
+}
+
 Shown texelAt(vec2 p, int resolution)
 {
-    return shownOf(texelFetch(texels, int(record.x) + texelIndex(p, resolution)));
+    bool isConstant = PAINTED == 1 && (record.y & kConstant) != 0u;
+    int index = isConstant ? 0 : texelIndex(p, resolution);
+    return shownOf(painted(texelFetch(texels, int(record.x) + index), p, resolution));
 }
 
 Shown both(Shown a, Shown b)
@@ -122,7 +151,7 @@ Shown both(Shown a, Shown b)
 // calms what a single one would let flicker.
 Shown shownTexel(int resolution)
 {
-    if ((record.y & kConstant) != 0u) {
+    if ((record.y & kConstant) != 0u && squareWord() == 0u) {
         return shownOf(texelFetch(texels, int(record.x)));
     }
     vec2 p = uv * float(resolution);
