@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/loop_refinement.h"
 
+#include "core/mesh/loop_cage.h"
+
 #include <algorithm>
-#include <cmath>
-#include <memory>
 #include <new>
 #include <numeric>
 #include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
 #include <string>
 
 namespace trixel {
@@ -15,9 +14,6 @@ namespace trixel {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-namespace Sdc = OpenSubdiv::Sdc;
-
-using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
 /// A position as the refiner blends it; in double, so that the order of the sums hardly shows.
 struct Point
@@ -32,47 +28,6 @@ struct Point
         z += weight * source.z;
     }
 };
-
-Status checkFaces(const TriangleMesh& cage)
-{
-    for (std::size_t f = 0; f < cage.faceCount(); ++f) {
-        const Triangle& t = cage.triangles[f];
-        for (const std::uint32_t vertex : t) {
-            if (vertex >= cage.positions.size()) {
-                return contentsError("face " + std::to_string(f) + " has vertex " +
-                                     std::to_string(vertex) + ", the cage has " +
-                                     std::to_string(cage.positions.size()));
-            }
-        }
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-            return contentsError("face " + std::to_string(f) +
-                                 " has a corner twice; a cage needs three different ones");
-        }
-    }
-    return {};
-}
-
-Status checkVertices(const TriangleMesh& cage)
-{
-    std::vector<std::size_t> facesAt(cage.positions.size());
-    for (const Triangle& t : cage.triangles) {
-        for (const std::uint32_t vertex : t) {
-            ++facesAt[vertex];
-        }
-    }
-    for (std::size_t v = 0; v < cage.positions.size(); ++v) {
-        const glm::vec3 p = cage.positions[v];
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-            return contentsError("vertex " + std::to_string(v) + " has no finite position");
-        }
-        if (facesAt[v] > kMaxLoopValence) {
-            return contentsError("vertex " + std::to_string(v) + " has " +
-                                 std::to_string(facesAt[v]) + " faces around it, at most " +
-                                 std::to_string(kMaxLoopValence) + " can be refined");
-        }
-    }
-    return {};
-}
 
 Status checkSize(const TriangleMesh& cage, int steps)
 {
@@ -91,27 +46,9 @@ Status checkSize(const TriangleMesh& cage, int steps)
 }
 
 /// The cage's connectivity, refined; nothing if OpenSubdiv refuses it.
-Refiner makeRefiner(const TriangleMesh& cage, int steps)
+LoopRefiner makeRefiner(const TriangleMesh& cage, int steps)
 {
-    const std::vector<int> corners(cage.faceCount(), 3);
-    std::vector<int> vertices;
-    vertices.reserve(3 * cage.faceCount());
-    for (const Triangle& t : cage.triangles) {
-        for (const std::uint32_t vertex : t) {
-            vertices.push_back(static_cast<int>(vertex));
-        }
-    }
-    using Descriptor = Far::TopologyDescriptor;
-    Descriptor descriptor;
-    descriptor.numVertices = static_cast<int>(cage.positions.size());
-    descriptor.numFaces = static_cast<int>(cage.faceCount());
-    descriptor.numVertsPerFace = corners.data();
-    descriptor.vertIndicesPerFace = vertices.data();
-
-    Sdc::Options scheme;
-    scheme.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    using Factory = Far::TopologyRefinerFactory<Descriptor>;
-    Refiner refiner(Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP, scheme)));
+    LoopRefiner refiner = makeLoopRefiner(cage);
     if (refiner) {
         Far::TopologyRefiner::UniformOptions uniform(steps);
         uniform.fullTopologyInLastLevel = true; // the limit needs each vertex's surroundings
@@ -178,17 +115,11 @@ Result<TriangleMesh> loopRefined(const TriangleMesh& cage, int steps)
     if (Status status = checkSize(cage, steps); !status) {
         return tl::unexpected(status.error());
     }
-    if (Status status = checkFaces(cage); !status) {
+    if (Status status = checkLoopCage(cage); !status) {
         return tl::unexpected(status.error());
-    }
-    if (Status status = checkVertices(cage); !status) {
-        return tl::unexpected(status.error());
-    }
-    if (cage.triangles.empty()) {
-        return contentsError("the cage has no faces");
     }
     try {
-        const Refiner refiner = makeRefiner(cage, steps);
+        const LoopRefiner refiner = makeRefiner(cage, steps);
         if (!refiner) {
             return contentsError("the cage's faces cannot be refined together");
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/loop_refinement.h"
+#include "tests/core/mesh/cages.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,71 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TriangleMesh tetrahedron()
-{
-    TriangleMesh mesh;
-    mesh.positions = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
-    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-    return mesh;
-}
-
-TriangleMesh octahedron()
-{
-    TriangleMesh mesh;
-    mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    mesh.triangles = {
-        {0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-    return mesh;
-}
-
-TriangleMesh icosahedron()
-{
-    const float g = std::numbers::phi_v<float>;
-    TriangleMesh mesh;
-    mesh.positions = {{-1, g, 0},
-                      {1, g, 0},
-                      {-1, -g, 0},
-                      {1, -g, 0},
-                      {0, -1, g},
-                      {0, 1, g},
-                      {0, -1, -g},
-                      {0, 1, -g},
-                      {g, 0, -1},
-                      {g, 0, 1},
-                      {-g, 0, -1},
-                      {-g, 0, 1}};
-    mesh.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                      {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                      {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-    return mesh;
-}
-
-/// A hexagon of triangles around a raised centre (vertex 0).
-TriangleMesh hexagon(float height)
-{
-    TriangleMesh mesh;
-    mesh.positions = {{0, 0, height}};
-    for (std::uint32_t k = 0; k < 6; ++k) {
-        const float angle = static_cast<float>(k) * std::numbers::pi_v<float> / 3;
-        mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
-        mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % 6});
-    }
-    return mesh;
-}
-
-TriangleMesh fan(std::uint32_t valence)
-{
-    TriangleMesh mesh;
-    mesh.positions = {{0, 0, 1}};
-    for (std::uint32_t k = 0; k < valence; ++k) {
-        const float angle =
-            static_cast<float>(k) * 2 * std::numbers::pi_v<float> / static_cast<float>(valence);
-        mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
-        mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % valence});
-    }
-    return mesh;
-}
+using namespace test;
 
 /// Times each edge is run along, in each direction.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> directedEdges(const TriangleMesh& mesh)
@@ -125,7 +62,7 @@ void expectNear(glm::vec3 found, glm::vec3 expected)
 
 TEST(LoopRefinement, everyStepQuartersTheFacesOfClosedMeshesAndKeepsThemClosed)
 {
-    for (const TriangleMesh& cage : {tetrahedron(), octahedron(), icosahedron()}) {
+    for (const TriangleMesh& cage : {regularTetrahedron(), octahedron(), icosahedron()}) {
         std::size_t faces = cage.faceCount();
         for (int steps = 0; steps <= 4; ++steps, faces *= 4) {
             const Result<TriangleMesh> mesh = loopRefined(cage, steps);
@@ -166,7 +103,7 @@ TEST(LoopRefinement, facesFollowTheirCageFaceInItsOrder)
 
 TEST(LoopRefinement, verticesOfRegularSolidsReachTheirLimit)
 {
-    for (const TriangleMesh& cage : {tetrahedron(), octahedron(), icosahedron()}) {
+    for (const TriangleMesh& cage : {regularTetrahedron(), octahedron(), icosahedron()}) {
         const auto edges = directedEdges(cage);
         for (int steps : {0, 1, 3}) {
             const Result<TriangleMesh> mesh = loopRefined(cage, steps);
@@ -246,7 +183,7 @@ TEST(LoopRefinement, threeFacesOnAnEdgeAreRefinedAllTheSame)
 
 TEST(LoopRefinement, verticesOfNoFaceAreKept)
 {
-    TriangleMesh cage = tetrahedron();
+    TriangleMesh cage = regularTetrahedron();
     cage.positions.insert(cage.positions.begin(), glm::vec3(9, 9, 9));
     for (Triangle& t : cage.triangles) {
         t = {t[0] + 1, t[1] + 1, t[2] + 1};
@@ -265,23 +202,23 @@ std::string refusal(const TriangleMesh& cage, int steps)
 
 TEST(LoopRefinement, refusesWhatCannotBeRefinedAndNamesIt)
 {
-    TriangleMesh beyond = tetrahedron();
+    TriangleMesh beyond = regularTetrahedron();
     beyond.triangles[2][1] = 4;
     EXPECT_EQ(refusal(beyond, 1), "face 2 has vertex 4, the cage has 4");
     beyond.triangles[2][1] = 0xFFFFFFFF; // negative where the library reads it
     EXPECT_THAT(refusal(beyond, 1), HasSubstr("face 2 has vertex 4294967295"));
 
-    TriangleMesh twice = tetrahedron();
+    TriangleMesh twice = regularTetrahedron();
     twice.triangles[1] = {3, 1, 3};
     EXPECT_THAT(refusal(twice, 1), HasSubstr("face 1 has a corner twice"));
 
-    TriangleMesh infinite = tetrahedron();
+    TriangleMesh infinite = regularTetrahedron();
     infinite.positions[3].y = std::numeric_limits<float>::infinity();
     EXPECT_THAT(refusal(infinite, 1), HasSubstr("vertex 3"));
 
     EXPECT_THAT(refusal(TriangleMesh{}, 1), HasSubstr("no faces"));
-    EXPECT_THAT(refusal(tetrahedron(), -1), HasSubstr("0 to 8 steps, not -1"));
-    EXPECT_THAT(refusal(tetrahedron(), 9), HasSubstr("0 to 8 steps, not 9"));
+    EXPECT_THAT(refusal(regularTetrahedron(), -1), HasSubstr("0 to 8 steps, not -1"));
+    EXPECT_THAT(refusal(regularTetrahedron(), 9), HasSubstr("0 to 8 steps, not 9"));
 }
 
 TEST(LoopRefinement, refusesFansAboveTheValenceCap)
@@ -292,7 +229,7 @@ TEST(LoopRefinement, refusesFansAboveTheValenceCap)
 
 TEST(LoopRefinement, refusesMoreFacesThanTheCap)
 {
-    TriangleMesh many = tetrahedron();
+    TriangleMesh many = regularTetrahedron();
     many.triangles.resize(257, many.triangles[0]);
     EXPECT_THAT(refusal(many, 8), HasSubstr("up to 256 faces, this one has 257"));
 }
