@@ -3,20 +3,22 @@
 // Which texels lie where on the graphics card and which have to be sent. Plain data, no OpenGL.
 #pragma once
 
-#include "core/paint/stroke.h"
 #include "core/texture/texel_store.h"
+#include "render/block_making.h"
 #include "render/card_blocks.h"
 #include "render/display_conversion.h"
+#include "render/residency.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 namespace trixel::render {
 
-/// What to send to the card, in this order: room, texels, records.
+/// What to send to the card, in this order: room, moves, texels, records.
 struct DisplayUpdate
 {
     /// Consecutive elements.
@@ -27,78 +29,168 @@ struct DisplayUpdate
         bool operator==(const Range&) const = default;
     };
 
-    bool fresh = false;         ///< nothing that was on the card is needed any more
-    std::uint32_t capacity = 0; ///< texels the buffer must have room for
-    std::vector<Range> texels;  ///< where texels go; their bytes follow each other in `bytes`
+    bool fresh = false;                  ///< nothing that was on the card is needed any more
+    std::uint32_t capacity = 0;          ///< texels the buffer must have room for
+    std::vector<CardBlocks::Move> moves; ///< on the card
+    std::vector<Range> texels; ///< where texels go; their bytes follow each other in `bytes`
     std::vector<std::byte> bytes;
     std::vector<Range> records; ///< faces whose records changed: read them from `records()`
 };
 
-/// Layout of the texels of a store on the graphics card. A face has a range of its own, one texel
-/// long where it is constant; a face that is painted for the first time gets a new range at the
-/// end, where there is room to spare. Faces are sent in order, as many at a time as the caller
-/// allows, and touched texels before them.
+/// Jobs to be made into blocks, on any thread.
+struct JobBatch
+{
+    std::vector<BlockJob> jobs;
+    std::int64_t elements = 0; ///< that they will take from or give back to the room
+    std::uint32_t generation = 0;
+};
+
+/// The texels of a store on the graphics card, within a bound.
+///
+/// Every face has a base of one texel, its mean, which is sent first; finer blocks come and go as
+/// plans want them (`residency.h`): one that wants everything, or one of a view (`follow`). What is
+/// shown stays until better has come. Work is done either here and now (`take`), or elsewhere:
+/// `openCard` while `needsOpening`, then `nextJobs` → `makeBlocks` on a snapshot of the store →
+/// `accept`, and `takeReady` for what came of it.
 class DisplayTexels
 {
 public:
-    /// Starts over with a store, and its usual channels.
+    /// Shows a store from now on, with its usual channels. What is on the card stays until it is
+    /// replaced where there are as many faces of the same type.
     /// \param mipDrop    show every face this many levels coarser (>= 0)
-    /// \param maxTexels  most texels the buffer can have; levels are dropped further to fit
+    /// \param maxTexels  most texels the buffer can have; less is shown to fit, but for the bases
     void reset(const TexelStore& store, int mipDrop, std::uint32_t maxTexels);
+
+    /// Another bound. Where the buffer is larger, all is opened anew.
+    void setMost(std::uint32_t maxTexels);
 
     /// Notes that texels changed. The store must be the one of `reset`, as it is now.
     void touch(const TexelStore& store, std::span<const TouchedRect> rects);
 
     /// Notes that every texel may have changed. What is on the card stays until it is replaced.
-    void touchAll();
+    void touchAll() { m_opens = true; }
 
     /// Sends other channels from now on, and all texels anew where they are others.
     void showChannels(const CardChannels& channels);
-    const CardChannels& channels() const { return m_channels; }
+    const CardChannels& channels() const { return m_form.channels; }
 
-    /// Converts what is to be sent next: all that was touched, then faces not sent yet until
-    /// `byteBudget` is reached (at least one face).
+    /// Does and converts what is to be sent next: all that was touched, then jobs until
+    /// `byteBudget` is reached.
     DisplayUpdate take(const TexelStore& store, std::size_t byteBudget);
-
     /// Whether `take` has something to give.
     bool hasWork() const;
 
-    DisplayFormat format() const { return m_format; }
-    std::span<const FaceRecord> records() const { return m_records; }
-    /// Levels dropped in fact: the drop asked for, more if the texels would not fit.
-    int levelsDropped() const { return m_drop; }
+    // Work done elsewhere.
+
+    /// Whether everything is to be opened anew (`openCard` with `form`), which comes before all.
+    bool needsOpening() const { return m_opens; }
+    const CardForm& form() const { return m_form; }
+    void open(const CardOpening& opening);
+    /// Whether a plan is needed: not all is as the last one took it to be.
+    bool needsPlan() const { return m_plans; }
+    /// For `planResidency`.
+    std::vector<FaceOnCard> facesOnCard() const { return m_faces; }
+    CardRoom mostRoom() const;
+    /// Goes by a view's plan from now on.
+    void follow(ResidencyPlan plan);
+    /// What to make next, up to so many bytes but at least one; none when there is nothing or no
+    /// room.
+    JobBatch nextJobs(std::size_t bytes);
+    /// Takes blocks over, made from a snapshot taken after the jobs were given out.
+    /// \param store  as it is now
+    void accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store);
+    /// What is ready to be sent: blocks accepted, and touched texels.
+    /// \param mostRead  texels of the store to be read for that, but at least one face
+    DisplayUpdate takeReady(const TexelStore& store, std::size_t mostRead);
+    bool hasReady() const;
+    /// Whether jobs could be given out now.
+    bool hasJobs() const;
+
+    DisplayFormat format() const { return displayFormat(m_form.format.type); }
+    std::span<const FaceRecord> records() const { return m_blocks.records(); }
+    const CardBlocks& blocks() const { return m_blocks; }
+    const ResidencyPlan& plan() const { return m_plan; }
+    /// Levels dropped: the drop asked for, and those that the room costs.
+    int levelsDropped() const { return m_form.mipDrop + (m_plan.bias + 7) / 8; }
     /// Whether texels are shown coarser than asked for because they do not fit.
-    bool isReduced() const { return m_drop > m_dropAsked; }
-    std::uint32_t texelsUsed() const { return m_used; }
+    bool isReduced() const { return m_plan.bias > 0; }
+    std::uint32_t texelsUsed() const { return m_blocks.used(); }
+    /// Of the buffer and the records, on the card.
+    std::uint64_t cardBytes() const
+    {
+        return m_blocks.capacity() * m_form.elementBytes() + m_faces.size() * sizeof(FaceRecord);
+    }
 
 private:
-    /// A rectangle of the packed square at the level shown.
+    /// A rectangle of the packed square.
     struct Rect
     {
         std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< end exclusive
         bool whole = false;                           ///< every texel of the face instead
-        bool moved = false;                           ///< the face has a new range
     };
+    /// Elements on their way; they go where the face's block is when they are sent.
+    struct Write
+    {
+        FaceId face{};
+        std::uint8_t level = 0; ///< of the block they are for; 0 for the base
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;
+    };
+    static constexpr std::uint8_t kTouchedInFlight = 0x80;
 
-    void layOut(const TexelStore& store);
-    bool place(const TexelStore& store, FaceId face);
-    void emitTouched(const TexelStore& store, DisplayUpdate& update);
-    void emitPending(const TexelStore& store, std::size_t byteBudget, DisplayUpdate& update);
-    void emitFace(const TexelStore& store, FaceId face, DisplayUpdate& update) const;
-    void
-    emitRect(const TexelStore& store, FaceId face, const Rect& rect, DisplayUpdate& update) const;
+    // display_texels.cpp
+    void openFresh(const CardOpening& opening);
+    void openAgain(const CardOpening& opening);
+    void planEverything();
+    DisplayUpdate gathered();
+    void makeRoomFor(std::uint64_t blockElements);
 
-    DisplayFormat m_format = DisplayFormat::Rgba8;
-    CardChannels m_channels{0, 1, 2, -1};
-    int m_dropAsked = 0;
-    int m_drop = 0;
-    std::uint64_t m_maxTexels = 0;
-    std::uint32_t m_capacity = 0;
-    std::uint32_t m_used = 0;
+    // display_jobs.cpp
+    bool isUseful(const BlockJob& job) const;
+    bool makeSpare(JobBatch& batch);
+    bool addJob(const BlockJob& job, JobBatch& batch);
+    bool addMeans(std::size_t bytes, JobBatch& batch);
+    bool placeBlock(const BlockJob& job);
+    void acceptBlock(const BlockJob& job, std::span<const std::byte> bytes);
+
+    // display_touch.cpp
+    std::size_t sendTouched(const TexelStore& store, FaceId face, const Rect& rect);
+    void sendTouched(const TexelStore& store, std::size_t mostRead);
+    std::size_t sendWhole(const FaceTexels& texels, FaceId face);
+    std::size_t sendRect(const FaceTexels& texels, FaceId face, const Rect& rect);
+    std::size_t sendReduced(const FaceTexels& texels, FaceId face, const Rect& rect);
+    std::size_t sendMean(const FaceTexels& texels, FaceId face);
+    void meanLater(FaceId face);
+
+    void write(FaceId face, std::uint8_t level, std::uint32_t first, std::size_t bytesBefore);
+    void show(FaceId face, int own, bool isConstant);
+
+    CardForm m_form;
+    std::uint32_t m_maxTexels = 0;
+    bool m_opens = false;
+    bool m_isOpen = false;
     bool m_fresh = false;
-    std::vector<FaceRecord> m_records;
-    std::size_t m_nextFace = 0; ///< faces from here on have not been sent yet
+    CardBlocks m_blocks;
+    CardRoom m_room; ///< in the buffer as it is
+    std::vector<FaceOnCard> m_faces;
+
+    bool m_plans = false;
+    bool m_followsView = false;
+    ResidencyPlan m_plan;
+    std::size_t m_nextMake = 0;
+    std::size_t m_nextSpare = 0;
+    std::deque<BlockJob> m_again;         ///< what was touched on its way, or took too long
+    std::vector<std::uint8_t> m_inFlight; ///< jobs given out of each face, and a flag
+    std::int64_t m_elementsInFlight = 0;
+    std::uint32_t m_generation = 0; ///< of buffers; jobs for one before are forgotten
+    std::vector<bool> m_noMean; ///< faces whose base is not their mean
+    std::size_t m_noMeanCount = 0;
+    std::size_t m_nextMean = 0;
+
     std::unordered_map<std::uint32_t, Rect> m_touched;
+    bool m_sendBases = false;
+    std::vector<Write> m_writes;
+    std::vector<std::byte> m_bytes;
 };
 
 } // namespace trixel::render

@@ -80,6 +80,7 @@ void Renderer::clear()
 {
     m_faceCount = 0;
     m_preview.reset();
+    m_hasOtherTexels = false;
     for (Layer& layer : m_layers) {
         layer.display = {};
         layer.card.clear(0);
@@ -90,17 +91,45 @@ void Renderer::clear()
 void Renderer::setTexels(const TexelStore& store, int mipDrop, Side side)
 {
     check(store.faceCount() == m_faceCount, "texels of this mesh");
-    const std::size_t most = std::min<std::size_t>(TextureBuffer::maxElements(*m_gl),
-                                                   std::numeric_limits<std::int32_t>::max());
-    layer(side).display.reset(store, mipDrop, static_cast<std::uint32_t>(most));
+    m_hasOtherTexels = m_hasOtherTexels || side == Side::B;
+    layer(side).display.reset(
+        store, mipDrop, mostTexels(texelBytes(displayFormat(store.format().type))));
     m_format = store.format();
     applyLook();
+    shareBudget();
+}
+
+void Renderer::setCardBudget(std::uint64_t bytes)
+{
+    m_cardBudget = bytes;
+    shareBudget();
+}
+
+/// Of one side.
+std::uint32_t Renderer::mostTexels(std::size_t bytesEach) const
+{
+    const std::uint64_t share = m_cardBudget / (m_hasOtherTexels ? 2 : 1);
+    const std::uint64_t records = m_faceCount * sizeof(FaceRecord);
+    const std::uint64_t bytes = share > records ? share - records : 0;
+    return static_cast<std::uint32_t>(
+        std::min<std::uint64_t>({bytes / bytesEach,
+                                 TextureBuffer::maxElements(*m_gl),
+                                 std::numeric_limits<std::int32_t>::max()}));
+}
+
+void Renderer::shareBudget()
+{
+    for (Layer& layer : m_layers) {
+        layer.display.setMost(mostTexels(texelBytes(layer.display.format())));
+    }
 }
 
 void Renderer::clearOtherTexels()
 {
     layer(Side::B).display = {};
     layer(Side::B).card.clear(m_faceCount);
+    m_hasOtherTexels = false;
+    shareBudget();
 }
 
 void Renderer::setLook(const Look& look)
@@ -133,8 +162,18 @@ std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudg
     if (!sent.display.hasWork()) {
         return 0;
     }
-    const DisplayUpdate update = sent.display.take(store, byteBudget);
-    sent.card.upload(update, sent.display.records(), sent.display.format());
+    return send(sent, sent.display.take(store, byteBudget));
+}
+
+std::size_t Renderer::sendReady(const TexelStore& store, std::size_t mostRead, Side side)
+{
+    Layer& sent = layer(side);
+    return sent.display.hasReady() ? send(sent, sent.display.takeReady(store, mostRead)) : 0;
+}
+
+std::size_t Renderer::send(Layer& layer, const DisplayUpdate& update)
+{
+    layer.card.upload(update, layer.display.records(), layer.display.format());
     return update.bytes.size();
 }
 
@@ -182,7 +221,11 @@ void Renderer::draw(const Scene& scene)
     m_figures.faces = m_faceCount;
     m_figures.triangles = m_faceCount;
     m_figures.texels = shown.texelsUsed();
-    m_figures.residentBytes = shown.texelsUsed() * texelBytes(shown.format());
+    m_figures.residentBytes = shown.cardBytes();
+    m_figures.budgetBytes = m_cardBudget;
+    if (m_hasOtherTexels) {
+        m_figures.residentBytes += texels(Side::B).cardBytes();
+    }
 }
 
 void Renderer::drawFrame(const Scene& scene)

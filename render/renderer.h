@@ -48,6 +48,14 @@ public:
     /// Shows a store of the mesh's faces from the beginning. Side B has texels of its own only
     /// where `Split` says so.
     void setTexels(const TexelStore& store, int mipDrop, Side side = Side::A);
+    /// Most bytes of texels on the card, both sides together, beside their bases; 512 MiB unless
+    /// told otherwise.
+    void setCardBudget(std::uint64_t bytes);
+    std::uint64_t cardBudget() const { return m_cardBudget; }
+    /// What is on the card of a side, to be planned for and worked on.
+    DisplayTexels& display(Side side) { return layer(side).display; }
+    /// Sends what is ready; see `DisplayTexels::takeReady`. \return bytes of texels sent
+    std::size_t sendReady(const TexelStore& store, std::size_t mostRead, Side side = Side::A);
     /// Gives up what B shows.
     void clearOtherTexels();
     void
@@ -103,6 +111,9 @@ private:
     void drawBackground();
     void drawSide(const Scene& scene, Side texels, Side picture);
     void applyLook();
+    std::uint32_t mostTexels(std::size_t bytesEach) const;
+    void shareBudget();
+    std::size_t send(Layer& layer, const DisplayUpdate& update);
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
@@ -116,6 +127,8 @@ private:
     Look m_look;
     CardLook m_cardLook;
     std::size_t m_faceCount = 0;
+    std::uint64_t m_cardBudget = std::uint64_t{512} << 20U;
+    bool m_hasOtherTexels = false;
     FrameTimer m_timer;
     FrameFigures m_figures;
 };

@@ -44,6 +44,9 @@ void SurfaceTexels::upload(const DisplayUpdate& update,
     } else if (update.capacity > m_texels->size()) {
         m_texels->grow(update.capacity);
     }
+    for (const CardBlocks::Move& move : update.moves) {
+        m_texels->copy(move.from, move.to, move.count);
+    }
     std::span<const std::byte> bytes(update.bytes);
     for (const DisplayUpdate::Range& range : update.texels) {
         const std::size_t size = range.count * texelBytes(format);

@@ -3,6 +3,8 @@
 
 #include "core/base/check.h"
 
+#include <algorithm>
+
 namespace trixel::render {
 
 TextureBuffer::TextureBuffer(Gl& gl, GLenum format, std::size_t elementBytes)
@@ -71,6 +73,18 @@ void TextureBuffer::write(std::size_t first, std::span<const std::byte> bytes)
                          static_cast<GLintptr>(first * m_elementBytes),
                          static_cast<GLsizeiptr>(bytes.size()),
                          bytes.data());
+}
+
+void TextureBuffer::copy(std::size_t from, std::size_t to, std::size_t count)
+{
+    check(std::max(from, to) + count <= m_elements, "within the room");
+    m_gl.glBindBuffer(GL_COPY_READ_BUFFER, m_buffer);
+    m_gl.glBindBuffer(GL_TEXTURE_BUFFER, m_buffer);
+    m_gl.glCopyBufferSubData(GL_COPY_READ_BUFFER,
+                             GL_TEXTURE_BUFFER,
+                             static_cast<GLintptr>(from * m_elementBytes),
+                             static_cast<GLintptr>(to * m_elementBytes),
+                             static_cast<GLsizeiptr>(count * m_elementBytes));
 }
 
 void TextureBuffer::fill(std::span<const std::byte> bytes)

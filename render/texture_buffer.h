@@ -31,6 +31,8 @@ public:
     void grow(std::size_t elements);
     /// Overwrites elements from `first` on.
     void write(std::size_t first, std::span<const std::byte> bytes);
+    /// Copies elements on the card; the ranges don't overlap.
+    void copy(std::size_t from, std::size_t to, std::size_t count);
     /// `allocate` and `write` in one.
     void fill(std::span<const std::byte> bytes);
 

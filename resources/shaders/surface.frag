@@ -30,6 +30,7 @@ out vec4 color;
 const uint kLevelMask = 0xffu;
 const uint kConstant = 0x100u;
 const uint kPending = 0x200u;
+const uint kOwnShift = 16u; // of the level that the face has, whatever of it is here
 
 const vec3 kPendingColor = vec3(0.45);
 const vec3 kWireColor = vec3(0.02, 0.03, 0.05);
@@ -267,8 +268,9 @@ void main()
         shown = own;
     }
     if (TEXEL_GRID == 1) {
-        vec3 p = bary * float(resolution);
-        float line = coverage(abs(p - round(p)), baryPerPixel * float(resolution), 0.5 * lineWidth);
+        float rows = float(1 << int((record.y >> kOwnShift) & kLevelMask));
+        vec3 p = bary * rows;
+        float line = coverage(abs(p - round(p)), baryPerPixel * rows, 0.5 * lineWidth);
         // By the texel's own colour: by the shaded one lines would turn over within a face.
         float luma = dot(own, vec3(0.2126, 0.7152, 0.0722));
         shown = mix(shown, vec3(luma > 0.45 ? 0.0 : 1.0), 0.38 * line);

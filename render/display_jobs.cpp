@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Blocks of texels made elsewhere: what is to be made, and what becomes of it.
+#include "core/base/check.h"
+#include "render/display_texels.h"
+
+#include <algorithm>
+
+namespace trixel::render {
+
+namespace {
+
+/// Texels of a face that are read here and now rather than by another job.
+constexpr std::uint32_t kFewTexels = 1U << 14U;
+
+} // namespace
+
+bool DisplayTexels::hasJobs() const
+{
+    return !m_opens && (!m_again.empty() || m_nextMake < m_plan.make.size() || m_noMeanCount > 0);
+}
+
+/// Whether the block would be better than what is shown.
+bool DisplayTexels::isUseful(const BlockJob& job) const
+{
+    const FaceOnCard& face = m_faces[indexOf(job.face)];
+    const int shown = face.level();
+    return job.level == 0 ||
+           (job.level <= face.own && (shown < job.level || shown > face.own || face.isStale()));
+}
+
+/// Makes the next block coarser that the view can do without, or gives it up.
+bool DisplayTexels::makeSpare(JobBatch& batch)
+{
+    while (m_nextSpare < m_plan.spare.size()) {
+        const BlockJob job = m_plan.spare[m_nextSpare++];
+        FaceOnCard& face = m_faces[indexOf(job.face)];
+        const int shown = face.level();
+        if (shown <= job.level || m_inFlight[indexOf(job.face)] != 0) {
+            continue;
+        }
+        if (job.level == 0) {
+            m_blocks.release(job.face);
+            face.shown = 0;
+            return true;
+        }
+        batch.jobs.push_back(job);
+        batch.elements += std::int64_t{m_room.perBlock[job.level]} -
+                          m_room.perBlock[static_cast<std::size_t>(shown)];
+        ++m_inFlight[indexOf(job.face)];
+        return true;
+    }
+    return false;
+}
+
+/// \return  false when there is no room for it
+bool DisplayTexels::addJob(const BlockJob& job, JobBatch& batch)
+{
+    const auto shown = static_cast<std::size_t>(m_faces[indexOf(job.face)].level());
+    const std::int64_t more =
+        job.level == 0 ? 0 : std::int64_t{m_room.perBlock[job.level]} - m_room.perBlock[shown];
+    const auto isTooMuch = [&] {
+        const auto used = static_cast<std::int64_t>(m_blocks.used() - m_faces.size());
+        return more > 0 && used + m_elementsInFlight + batch.elements + more >
+                               static_cast<std::int64_t>(m_room.elements);
+    };
+    while (isTooMuch()) {
+        if (!makeSpare(batch)) {
+            return false;
+        }
+    }
+    batch.jobs.push_back(job);
+    batch.elements += more;
+    ++m_inFlight[indexOf(job.face)];
+    return true;
+}
+
+/// Means of faces that have none yet. \return  whether there was one
+bool DisplayTexels::addMeans(std::size_t bytes, JobBatch& batch)
+{
+    bool found = false;
+    const std::size_t most = bytes / m_form.elementBytes();
+    for (; m_noMeanCount > 0 && m_nextMean < m_noMean.size() && batch.jobs.size() < most;
+         ++m_nextMean) {
+        if (m_noMean[m_nextMean]) {
+            m_noMean[m_nextMean] = false;
+            --m_noMeanCount;
+            found = addJob({faceId(m_nextMean), 0}, batch);
+        }
+    }
+    if (m_nextMean == m_noMean.size()) {
+        m_nextMean = 0;
+    }
+    return found;
+}
+
+JobBatch DisplayTexels::nextJobs(std::size_t bytes)
+{
+    JobBatch batch;
+    batch.generation = m_generation;
+    if (m_opens || !m_isOpen) {
+        return batch;
+    }
+    constexpr std::size_t kMostJobs = 4096; // so that no batch takes long to take over
+    std::size_t made = 0;
+    const auto wantsMore = [&] {
+        return batch.jobs.empty() || (made < bytes && batch.jobs.size() < kMostJobs);
+    };
+    const auto tryJob = [&](const BlockJob& job) {
+        if (isUseful(job)) {
+            if (!addJob(job, batch)) {
+                return false;
+            }
+            made += Level(job.level).texelCount() * m_form.elementBytes();
+        }
+        return true;
+    };
+    while (wantsMore() && !m_again.empty()) {
+        if (!tryJob(m_again.front())) {
+            m_plans = true; // there is more to show than was planned for
+        }
+        m_again.pop_front();
+    }
+    while (wantsMore() && m_nextMake < m_plan.make.size()) {
+        if (!tryJob(m_plan.make[m_nextMake])) {
+            if (batch.jobs.empty() && m_elementsInFlight == 0) {
+                m_nextMake = m_plan.make.size(); // blocks do not fit as well as was thought
+            }
+            m_elementsInFlight += batch.elements;
+            return batch;
+        }
+        ++m_nextMake;
+    }
+    if (wantsMore()) {
+        (void)addMeans(std::max<std::size_t>(bytes, m_form.elementBytes()), batch);
+    }
+    m_elementsInFlight += batch.elements;
+    return batch;
+}
+
+void DisplayTexels::accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store)
+{
+    check(made.jobs.size() == batch.jobs.size(), "blocks of these jobs");
+    if (batch.generation != m_generation) {
+        return;
+    }
+    m_elementsInFlight -= batch.elements;
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < made.jobs.size(); ++k) {
+        const BlockJob& job = made.jobs[k];
+        const std::size_t end = made.ends[k];
+        const auto bytes = std::span(made.bytes).subspan(begin, end - begin);
+        begin = end;
+        std::uint8_t& inFlight = m_inFlight[indexOf(job.face)];
+        const bool wasTouched = (inFlight & kTouchedInFlight) != 0;
+        inFlight = (--inFlight & ~kTouchedInFlight) == 0 ? 0 : inFlight;
+        if (!wasTouched) {
+            acceptBlock(job, bytes);
+        } else if (store.face(job.face).level().texelCount() <= kFewTexels) {
+            const MadeBlocks again = makeBlocks(store, m_form, {&job, 1});
+            acceptBlock(job, again.bytes);
+        } else {
+            m_again.push_back(job);
+        }
+    }
+}
+
+void DisplayTexels::acceptBlock(const BlockJob& job, std::span<const std::byte> bytes)
+{
+    if (bytes.empty() || (job.level > 0 && !placeBlock(job))) {
+        return;
+    }
+    const std::size_t before = m_bytes.size();
+    m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
+    write(job.face, job.level, 0, before);
+}
+
+/// \return  false when the block is not wanted any more, or has no room
+bool DisplayTexels::placeBlock(const BlockJob& job)
+{
+    FaceOnCard& face = m_faces[indexOf(job.face)];
+    const int wanted = std::min<int>(m_plan.wanted[indexOf(job.face)], face.own);
+    const int shown = face.level();
+    const bool isWrong = shown > 0 && (face.isStale() || shown > face.own);
+    const bool isFiner = job.level > shown && job.level <= wanted;
+    const bool isSpare = job.level < shown && job.level >= wanted;
+    if (job.level > face.own || !(isWrong || isFiner || isSpare)) {
+        return false;
+    }
+    if (m_blocks.resize(job.face, Level(job.level))) {
+        face.shown = job.level;
+        return true;
+    }
+    if (isWrong) {
+        m_blocks.release(job.face);
+        face.shown = 0;
+    }
+    return false;
+}
+
+} // namespace trixel::render
