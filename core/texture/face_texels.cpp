@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/face_texels.h"
 
+#include "core/texture/stored_faces.h"
+
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace trixel {
 
@@ -33,8 +36,7 @@ FaceTexels::FaceTexels(Level level, bool constant, std::size_t texelBytes)
     , m_constant(constant)
 {
     check(texelBytes > 0, "a texel has bytes");
-    const std::size_t bytes = texelBytes * (constant ? 1 : level.texelCount());
-    m_words = std::make_shared_for_overwrite<std::uint64_t[]>((bytes + 7) / 8);
+    m_held = std::make_shared_for_overwrite<std::uint64_t[]>((byteCount() + 7) / 8);
 }
 
 FaceTexels FaceTexels::constant(Level level, std::span<const std::byte> texel)
@@ -60,30 +62,104 @@ FaceTexels FaceTexels::atLevel(Level level) const
     return face;
 }
 
+FaceTexels FaceTexels::stored(std::shared_ptr<StoredFace> face, Level level, std::size_t texelBytes)
+{
+    FaceTexels result;
+    result.m_held = std::move(face);
+    result.m_texelBytes = static_cast<std::uint32_t>(texelBytes);
+    result.m_level = level;
+    result.m_constant = false;
+    result.m_stored = true;
+    return result;
+}
+
+StoredFace& FaceTexels::record() const
+{
+    return *static_cast<StoredFace*>(m_held.get());
+}
+
 std::span<const std::byte> FaceTexels::bytes() const
 {
-    return {data(), std::size_t{m_texelBytes} * (m_constant ? 1 : m_level.texelCount())};
+    return {m_stored ? record().hold() : data(), byteCount()};
 }
 
 std::span<std::byte> FaceTexels::writable()
 {
-    check(m_words != nullptr, "a face with texels");
+    check(m_held != nullptr, "a face with texels");
     if (m_constant) {
         FaceTexels face(m_level, false, m_texelBytes);
-        spread(bytes(), {face.data(), std::size_t{m_texelBytes} * m_level.texelCount()});
+        spread(bytes(), {face.data(), face.byteCount()});
+        face.m_damaged = m_damaged;
         *this = std::move(face);
-    } else if (m_words.use_count() > 1) {
-        *this = full(m_level, m_texelBytes, bytes());
+    } else if (m_stored || m_held.use_count() > 1) {
+        const FaceTexels shared = pinned();
+        *this = full(m_level, m_texelBytes, shared.bytes());
+        m_damaged = shared.m_damaged;
     }
-    return {data(), std::size_t{m_texelBytes} * m_level.texelCount()};
+    return {data(), byteCount()};
 }
 
 FaceTexels FaceTexels::collapsed() const
 {
-    if (m_constant || !allAlike(bytes(), m_texelBytes)) {
+    if (m_constant) {
         return *this;
     }
-    return constant(m_level, bytes().first(m_texelBytes));
+    const FaceTexels here = pinned();
+    if (!allAlike(here.bytes(), m_texelBytes)) {
+        return *this;
+    }
+    FaceTexels one = constant(m_level, here.bytes().first(m_texelBytes));
+    one.m_damaged = here.m_damaged;
+    return one;
+}
+
+bool FaceTexels::isLoaded() const
+{
+    return !m_stored || record().isHeld();
+}
+
+FaceTexels FaceTexels::pinned() const
+{
+    if (!m_stored) {
+        return *this;
+    }
+    FaceTexels face = *this;
+    face.m_held = record().pin();
+    face.m_stored = false;
+    face.m_damaged = record().isDamaged();
+    return face;
+}
+
+FaceTexels FaceTexels::released() const
+{
+    return isLoaded() && m_stored ? record().anew() : *this;
+}
+
+std::optional<std::span<const std::byte>> FaceTexels::mean() const
+{
+    if (m_stored) {
+        return record().mean();
+    }
+    return m_constant ? std::optional(bytes()) : std::nullopt;
+}
+
+bool FaceTexels::hasStoredLevel(Level level) const
+{
+    return m_constant || (m_stored && level <= m_level && record().stores(level));
+}
+
+std::optional<FaceTexels> FaceTexels::storedLevel(Level level) const
+{
+    check(level <= m_level, "a level that the face has");
+    if (m_constant) {
+        return atLevel(level);
+    }
+    return hasStoredLevel(level) ? record().coarser(level) : std::nullopt;
+}
+
+bool FaceTexels::isDamaged() const
+{
+    return m_stored ? record().isDamaged() : m_damaged;
 }
 
 bool FaceTexels::operator==(const FaceTexels& other) const
@@ -91,11 +167,11 @@ bool FaceTexels::operator==(const FaceTexels& other) const
     if (m_level != other.m_level || m_texelBytes != other.m_texelBytes) {
         return false;
     }
-    if (m_words == other.m_words) {
+    if (m_held == other.m_held) {
         return true;
     }
-    const FaceTexels a = collapsed();
-    const FaceTexels b = other.collapsed();
+    const FaceTexels a = collapsed().pinned();
+    const FaceTexels b = other.collapsed().pinned();
     return a.m_constant == b.m_constant && std::ranges::equal(a.bytes(), b.bytes());
 }
 

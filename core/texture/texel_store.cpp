@@ -2,6 +2,7 @@
 #include "core/texture/texel_store.h"
 
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -84,7 +85,7 @@ TexelStore::transformed(const Block& block,
 {
     Block result;
     for (std::size_t k = 0; k < faceCount; ++k) {
-        const FaceTexels& from = block.faces[k];
+        const FaceTexels from = block.faces[k].pinned();
         const bool seen = k > 0 && from.sharesBytesWith(block.faces[k - 1]);
         if (!seen) {
             result.faces[k] = convert(from);
@@ -129,6 +130,9 @@ TexelStore::transformed(const TexelFormat& format,
             }
         });
     }
+    if (Status status = checkWhole(); !status) {
+        return tl::unexpected(status.error());
+    }
     TexelStore result;
     result.m_faceCount = m_faceCount;
     result.m_format = format;
@@ -153,9 +157,31 @@ std::uint64_t TexelStore::storedBytes() const
     for (std::size_t k = 0; k < m_faceCount; ++k) {
         const FaceTexels& texels = face(faceId(k));
         const bool seen = k % kBlockFaces != 0 && texels.sharesBytesWith(face(faceId(k - 1)));
-        bytes += seen ? 0 : texels.bytes().size();
+        bytes += seen ? 0 : texels.byteCount();
     }
     return bytes;
+}
+
+void TexelStore::releaseHeld()
+{
+    for (std::size_t k = 0; k < m_faceCount; ++k) {
+        const FaceTexels& texels = face(faceId(k));
+        if (texels.isStored() && texels.isLoaded()) {
+            exchange(faceId(k), texels.released());
+        }
+    }
+}
+
+Status TexelStore::checkWhole() const
+{
+    for (std::size_t k = 0; k < m_faceCount; ++k) {
+        if (face(faceId(k)).isDamaged()) {
+            return contentsError("face " + std::to_string(k) +
+                                 " could not be read from its file, and the checks shown in its "
+                                 "place must not be written out; fill the face to mend it");
+        }
+    }
+    return {};
 }
 
 } // namespace trixel

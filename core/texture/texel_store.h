@@ -59,7 +59,8 @@ public:
     /// A store of another format that holds convert(face) for every face. Blocks that are shared
     /// are converted once and stay shared, and so do values shared by neighbouring faces: convert
     /// may not depend on anything but the face's texels, keeps its level, and is called from
-    /// several threads. Fails only when cancelled.
+    /// several threads. Stored faces are converted one after the other, from memory they don't
+    /// keep. Fails when cancelled and when a face cannot be read.
     Result<TexelStore> transformed(const TexelFormat& format,
                                    const std::function<FaceTexels(const FaceTexels&)>& convert,
                                    Threads threads,
@@ -67,8 +68,17 @@ public:
 
     /// Texels as addressed (4^n a face), whether stored or constant.
     std::uint64_t texelCount() const;
-    /// Bytes of texel data in memory; faces that share a value count it once a block.
+    /// Bytes of texel data, as they are in memory once read; faces that share a value count it once
+    /// a block.
     std::uint64_t storedBytes() const;
+
+    /// Gives back the memory of texels that stored faces hold because `bytes` was asked for. A
+    /// change like any other: references and spans of those faces end, copies of the store keep
+    /// theirs. Costs a look at every face.
+    void releaseHeld();
+    /// Fails, naming the face, if one that was asked for could not be read: what stands in for it
+    /// must not be written out. To be asked after the texels were. Costs a look at every face.
+    Status checkWhole() const;
 
 private:
     static constexpr std::size_t kBlockFaces = 256;
