@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/atlas/atlas_texels.h"
 #include "core/texture/mips.h"
-#include "tests/core/test_meshes.h"
+#include "tests/core/atlas/atlas_pages.h"
 
 #include <gtest/gtest.h>
 
@@ -11,63 +11,20 @@
 #include <random>
 
 using namespace trixel;
+using namespace trixel::test;
 
 namespace {
-
-const TexelFormat kFloat{TexelType::Float, 1, std::nullopt};
-
-/// An n × n grid of squares, each of two triangles whose corners are numbered from any of theirs:
-/// every pairing of edges occurs, and neighbours unfold as parallelograms.
-TriangleMesh turnedGrid(int n, unsigned seed)
-{
-    std::mt19937 random(seed);
-    TriangleMesh mesh;
-    const auto id = [n](int i, int j) { return static_cast<std::uint32_t>(i + j * (n + 1)); };
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            mesh.positions.push_back({static_cast<float>(i), static_cast<float>(j), 0});
-        }
-    }
-    const auto add = [&](Triangle triangle) {
-        std::rotate(
-            triangle.begin(), triangle.begin() + static_cast<long>(random() % 3), triangle.end());
-        mesh.triangles.push_back(triangle);
-    };
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            add({id(i, j), id(i + 1, j), id(i, j + 1)});
-            add({id(i + 1, j + 1), id(i, j + 1), id(i + 1, j)});
-        }
-    }
-    return mesh;
-}
 
 float affine(glm::vec3 point)
 {
     return 3 * point.x - 2 * point.y + 7;
 }
 
-glm::vec3 pointOf(const TriangleMesh& mesh, FaceId face, glm::dvec2 uv)
-{
-    const auto corners = mesh.corners(face);
-    return corners[0] + static_cast<float>(uv.x) * (corners[1] - corners[0]) +
-           static_cast<float>(uv.y) * (corners[2] - corners[0]);
-}
-
 /// Every texel holds the function's value at its centroid.
 TexelStore affineStore(const TriangleMesh& mesh, Level level)
 {
-    TexelStore store(
-        static_cast<std::uint32_t>(mesh.faceCount()), kFloat, level, std::vector<std::byte>(4));
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const std::span<std::byte> texels = store.writable(faceId(f));
-        for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
-            const float value =
-                affine(pointOf(mesh, faceId(f), centroid(level, texelAt(level, TexelIndex(k)))));
-            std::memcpy(texels.data() + 4 * k, &value, 4);
-        }
-    }
-    return store;
+    return storeOf(FaceMap<Level>(mesh.faceCount(), level),
+                   [&](FaceId face, glm::dvec2 uv) { return affine(pointOf(mesh, face, uv)); });
 }
 
 TexelStore randomStore(std::size_t faces, const TexelFormat& format, int most, unsigned seed)
@@ -125,7 +82,7 @@ TEST(AtlasTexels, everyTexelOfEveryLevelIsThereToTheBit)
     const Adjacency adjacency = buildAdjacency(mesh.triangles);
     for (const TexelFormat& format : {TexelFormat{TexelType::UInt8, 3, std::nullopt},
                                       TexelFormat{TexelType::Half, 4, std::nullopt},
-                                      kFloat}) {
+                                      kOneFloat}) {
         const TexelStore store = randomStore(mesh.faceCount(), format, 6, 2);
         AtlasTexels texels(store, adjacency);
         while (true) {
@@ -192,7 +149,7 @@ TEST(AtlasTexels, neighboursOfOtherLevelsGiveTheirTexelUnderTheCell)
     levels[faceId(0)] = Level(4);
     levels[faceId(1)] = Level(1);
     const std::array<std::byte, 4> black{};
-    const TexelStore store(kFloat, levels, black);
+    const TexelStore store(kOneFloat, levels, black);
     AtlasTexels texels(store, adjacency);
     const AtlasTile tile(Level(4), AtlasBorder::Bilinear);
     for (std::uint32_t y = 0; y < tile.side(); ++y) {
