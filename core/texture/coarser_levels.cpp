@@ -4,6 +4,7 @@
 #include "core/base/check.h"
 #include "core/lattice/reduction.h"
 #include "core/texture/mips.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/touched_cells.h"
 
 #include <algorithm>
@@ -101,12 +102,13 @@ FaceTexels sampledAt(Level level, const FaceTexels& face)
     if (face.isConstant()) {
         return face.atLevel(level);
     }
+    const PinnedFace pin(face);
     const std::size_t bytes = face.texelBytes();
     std::vector<std::byte> texels(bytes * level.texelCount());
     for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
         const TexelCoord coarse = texelAt(level, static_cast<TexelIndex>(k));
         const TexelCoord middle = texelAt(face.level(), centroid(level, coarse));
-        const auto texel = face.texel(indexOf(texelIndex(face.level(), middle)));
+        const auto texel = pin->texel(indexOf(texelIndex(face.level(), middle)));
         std::memcpy(texels.data() + k * bytes, texel.data(), bytes);
     }
     return FaceTexels::full(level, bytes, texels);

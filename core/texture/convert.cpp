@@ -26,7 +26,7 @@ void convertTexels(TexelType from,
 
 FaceTexels convertFace(const TexelFormat& from, const FaceTexels& face, const TexelFormat& to)
 {
-    std::vector<std::byte> texels(face.bytes().size() / byteSize(from.type) * byteSize(to.type));
+    std::vector<std::byte> texels(face.byteCount() / byteSize(from.type) * byteSize(to.type));
     convertTexels(from.type, face.bytes(), to.type, texels);
     return face.isConstant() ? FaceTexels::constant(face.level(), texels)
                              : FaceTexels::full(face.level(), to.texelBytes(), texels);

@@ -2,6 +2,7 @@
 #include "core/texture/face_figures.h"
 
 #include "core/mesh/triangle_geometry.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/texel_codec.h"
 
 #include <algorithm>
@@ -108,7 +109,8 @@ FaceValues
 valuesOf(const FaceTexels& texels, const TexelFormat& format, const ChannelChoice& channel)
 {
     const ChannelRange range = rangeOf(format, channel);
-    const std::span<const std::byte> bytes = texels.bytes();
+    const PinnedFace pin(texels);
+    const std::span<const std::byte> bytes = pin->bytes();
     const std::uint64_t count = bytes.size() / format.texelBytes() * range.count();
     return withTexelType(format.type, [&](auto type) -> FaceValues {
         using Codec = TexelCodec<type()>;
@@ -218,7 +220,7 @@ Result<FaceFigures> FaceFigures::measure(const TriangleMesh& mesh,
         std::size_t end = begin;
         std::uint64_t bytes = 0;
         while (end < faces && end - begin < kMostFaces && bytes < kMostBytes) {
-            bytes += texels.face(faceId(end)).bytes().size();
+            bytes += texels.face(faceId(end)).byteCount();
             ++end;
         }
         const std::size_t grain = std::clamp<std::size_t>((end - begin) / 64, 1, kMostGrain);

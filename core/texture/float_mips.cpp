@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/float_mips.h"
 
+#include "core/texture/pinned_face.h"
 #include "core/texture/texel_format.h"
 #include "core/texture/touched_cells.h"
 
@@ -34,8 +35,9 @@ void splitIntoGroups(std::span<const float> texels,
 /// Everything of one face, from its texels.
 void fillChain(const TexelFormat& format, const FaceTexels& face, std::size_t group, float* values)
 {
-    std::vector<float> decoded(face.bytes().size() / byteSize(format.type));
-    decode(format.type, face.bytes(), decoded);
+    const PinnedFace pin(face);
+    std::vector<float> decoded(face.byteCount() / byteSize(format.type));
+    decode(format.type, pin->bytes(), decoded);
     splitIntoGroups(decoded, format.channels, group, values);
     if (face.isConstant()) {
         return;
@@ -78,7 +80,11 @@ Result<FloatMips> FloatMips::build(const TexelStore& store, Threads threads, Pro
             mips.m_chains.share(faceId(f), last);
             continue;
         }
-        std::vector<FaceId>& alike = known[face.bytes().data()];
+        // Stored faces are each their own, and their texels need not be there yet.
+        std::vector<FaceId>& alike = known[face.isStored() ? nullptr : face.bytes().data()];
+        if (face.isStored()) {
+            alike.clear();
+        }
         const auto found = std::ranges::find_if(alike, same);
         if (found != alike.end()) {
             mips.m_chains.share(faceId(f), *found);

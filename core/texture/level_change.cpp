@@ -3,6 +3,7 @@
 
 #include "core/mesh/vertex_rings.h"
 #include "core/texture/mips.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/refinement.h"
 
 #include <algorithm>
@@ -91,11 +92,24 @@ TexelStore cutOut(const TexelStore& store, std::span<const FaceId> faces)
     TexelStore part(static_cast<std::uint32_t>(faces.size()),
                     store.format(),
                     Level(0),
-                    store.face(faces[0]).texel(0));
+                    std::vector<std::byte>(store.format().texelBytes()));
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
         part.exchange(faceId(f), store.face(faces[f]));
     }
     return part;
+}
+
+/// What stands in for a face that could not be read is not to be taken for paint.
+Status checkRead(const TexelStore& store, std::span<const FaceId> faces)
+{
+    for (const FaceId face : faces) {
+        if (store.face(face).isDamaged()) {
+            return contentsError("face " + std::to_string(indexOf(face)) +
+                                 " could not be read from its file; fill it before levels change "
+                                 "there");
+        }
+    }
+    return {};
 }
 
 Result<ConformingPyramid> pyramidOf(const Cutout& cutout, const TexelStore& part, Threads threads)
@@ -151,14 +165,17 @@ Result<std::vector<FaceTexels>> grown(const TexelStore& store,
         std::vector<FaceTexels> finer(left.size());
         parallelFor(left.size(), 8, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
-                finer[k] = refinedBy(
-                    *pyramid, store.format(), part.face(faceId(left[k])), faceId(left[k]));
+                const PinnedFace pin(part.face(faceId(left[k])));
+                finer[k] = refinedBy(*pyramid, store.format(), *pin, faceId(left[k]));
             }
         });
         for (std::size_t k = 0; k < left.size(); ++k) {
             part.exchange(faceId(left[k]), std::move(finer[k]));
         }
         std::erase_if(left, isReached);
+    }
+    if (Status status = checkRead(store, cutout.faces()); !status) {
+        return tl::unexpected(status.error());
     }
     std::vector<FaceTexels> result;
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
@@ -187,6 +204,9 @@ Result<std::vector<FaceTexels>> shrunk(const TexelStore& store,
                     reduced(store.format(), face, face.level().log2() - levels[faces[k]].log2());
             }
         });
+    }
+    if (Status status = checkRead(store, faces); !status) {
+        return tl::unexpected(status.error());
     }
     return result;
 }

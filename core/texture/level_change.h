@@ -50,8 +50,8 @@ LevelCost levelCost(const TexelStore& store, const FaceMap<Level>& levels);
 
 /// Brings every face to its level: coarser by `reduced`, finer by `refined`, one level at a time,
 /// all from the texels as they were. Constant faces stay constant. Returns what was replaced, so
-/// that swapping it is undo. Cost follows the faces that change and those around them. Fails only
-/// when cancelled, and then leaves the store as it was.
+/// that swapping it is undo. Cost follows the faces that change and those around them. Fails
+/// when cancelled or when one of these could not be read, and then leaves the store as it was.
 /// \param levels  one a face (checked)
 Result<TexelPatch> changeLevels(TexelStore& store,
                                 const Adjacency& adjacency,

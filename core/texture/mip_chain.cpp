@@ -44,7 +44,7 @@ std::uint64_t MipChain::madeBytes() const
 {
     std::uint64_t bytes = 0;
     for (std::size_t k = 1; k < m_levels.size(); ++k) {
-        bytes += m_levels[k].isConstant() ? 0 : m_levels[k].bytes().size();
+        bytes += m_levels[k].isConstant() ? 0 : m_levels[k].byteCount();
     }
     return bytes;
 }

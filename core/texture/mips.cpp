@@ -3,6 +3,7 @@
 
 #include "core/base/check.h"
 #include "core/lattice/reduction.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/texel_codec.h"
 
 #include <algorithm>
@@ -104,12 +105,13 @@ FaceTexels reduced(const TexelFormat& format, const FaceTexels& face, ReductionR
 {
     check(face.level().log2() >= 1, "a level to reduce");
     check(face.texelBytes() == format.texelBytes(), "texels in the format");
+    const PinnedFace pin(face);
     const Level coarse = face.level().coarser();
     if (face.isConstant()) {
         return face.atLevel(coarse);
     }
     std::vector<std::byte> texels(format.texelBytes() * coarse.texelCount());
-    reduceTexels(format, face.level(), face.bytes(), texels, rule);
+    reduceTexels(format, face.level(), pin->bytes(), texels, rule);
     return FaceTexels::full(coarse, format.texelBytes(), texels);
 }
 

@@ -86,7 +86,7 @@ std::size_t TexelPatch::byteSize() const
     for (std::size_t k = 0; k < m_whole.size(); ++k) {
         const FaceTexels& texels = m_whole[k].texels;
         const bool seen = k > 0 && texels.sharesBytesWith(m_whole[k - 1].texels);
-        bytes += seen ? 0 : texels.bytes().size();
+        bytes += seen || texels.isStored() ? 0 : texels.byteCount();
     }
     return bytes;
 }

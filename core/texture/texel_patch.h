@@ -61,7 +61,8 @@ public:
     std::span<const Texels> texels() const { return m_texels; }
     std::span<const Whole> wholeFaces() const { return m_whole; }
     bool isEmpty() const { return m_faces.empty(); }
-    /// Bytes the patch keeps alive; faces added one after the other that share them count once.
+    /// Bytes the patch keeps alive; faces added one after the other that share them count once,
+    /// those that lie in a file not at all.
     std::size_t byteSize() const;
 
 private:

@@ -2,6 +2,7 @@
 #include "core/texture/texel_search.h"
 
 #include "core/base/check.h"
+#include "core/texture/pinned_face.h"
 
 #include <algorithm>
 #include <vector>
@@ -73,7 +74,8 @@ Result<std::optional<TexelSpot>> nextTexel(const TexelStore& store,
             return cancelled();
         }
         const std::size_t f = (start + k) % faces;
-        const FaceTexels& face = store.face(faceId(f));
+        const PinnedFace pin(store.face(faceId(f)));
+        const FaceTexels& face = *pin;
         const std::size_t begin = k == 0 ? passed : 0;
         const std::size_t end = k == faces ? passed : texelsOf(face);
         if (const auto found = search.first(face, begin, end)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/texture/texel_store.h"
 
+#include "core/texture/pinned_face.h"
+
 #include <algorithm>
 #include <string>
 #include <unordered_map>
@@ -85,7 +87,8 @@ TexelStore::transformed(const Block& block,
 {
     Block result;
     for (std::size_t k = 0; k < faceCount; ++k) {
-        const FaceTexels from = block.faces[k].pinned();
+        const PinnedFace pin(block.faces[k]);
+        const FaceTexels& from = *pin;
         const bool seen = k > 0 && from.sharesBytesWith(block.faces[k - 1]);
         if (!seen) {
             result.faces[k] = convert(from);

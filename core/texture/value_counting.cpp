@@ -3,6 +3,7 @@
 // The counting behind value_histogram.h: a table of 256 or 65536 entries for each number and
 // thread. A float counts by the upper half of its bits, which order as its values do.
 #include "core/base/check.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/texel_codec.h"
 #include "core/texture/value_histogram.h"
 
@@ -241,7 +242,8 @@ public:
     void count(const Piece& piece, Tallies& tallies) const
     {
         for (std::size_t f = piece.firstFace; f < piece.endFace; ++f) {
-            const FaceTexels& face = m_store.face(faceId(f));
+            const PinnedFace pin(m_store.face(faceId(f)));
+            const FaceTexels& face = *pin;
             if (face.isConstant()) {
                 count(face.bytes(), face.level().texelCount(), tallies);
                 continue;
