@@ -40,10 +40,11 @@ private:
 class FileSource final : public ByteSource
 {
 public:
-    FileSource(std::string name, int fd, std::uint64_t size)
+    FileSource(std::string name, int fd, const struct stat& status)
         : m_name(std::move(name))
         , m_fd(fd)
-        , m_size(size)
+        , m_size(static_cast<std::uint64_t>(status.st_size))
+        , m_written(status.st_mtim)
     {
     }
     FileSource(const FileSource&) = delete;
@@ -71,10 +72,26 @@ public:
         return bytes;
     }
 
+    Status checkUnchanged() const override
+    {
+        struct stat now
+        {
+        };
+        if (::fstat(m_fd, &now) != 0) {
+            return pathError(m_name + ": cannot be read: " + std::strerror(errno));
+        }
+        if (static_cast<std::uint64_t>(now.st_size) != m_size ||
+            now.st_mtim.tv_sec != m_written.tv_sec || now.st_mtim.tv_nsec != m_written.tv_nsec) {
+            return pathError(m_name + ": was changed by another program after it was opened");
+        }
+        return {};
+    }
+
 private:
     std::string m_name;
     int m_fd;
     std::uint64_t m_size;
+    timespec m_written;
 };
 
 } // namespace
@@ -122,8 +139,7 @@ Result<std::unique_ptr<ByteSource>> fileSource(const std::filesystem::path& path
         return pathError(path.string() + (S_ISDIR(status.st_mode) ? ": is a directory, not a file"
                                                                   : ": is not a regular file"));
     }
-    return std::make_unique<FileSource>(
-        path.string(), fd, static_cast<std::uint64_t>(status.st_size));
+    return std::make_unique<FileSource>(path.string(), fd, status);
 }
 
 } // namespace trixel

@@ -26,6 +26,11 @@ public:
     /// threads, each with a scratch buffer of its own.
     virtual Result<std::span<const std::byte>>
     view(std::uint64_t offset, std::size_t count, Buffer& scratch) const = 0;
+
+    /// Fails when the bytes were changed since the source was opened, as far as can be told: by the
+    /// size of a file and the time when it was last written to. A file that takes the place of
+    /// another one (as `commitFile` does it) is no change: a source goes on reading the old one.
+    virtual Status checkUnchanged() const { return {}; }
 };
 
 /// Reads stretch after stretch; where they follow each other, many at a time.

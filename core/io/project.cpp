@@ -58,7 +58,11 @@ Status compareWithMesh(const PtxFile& file, const Surface& surface)
 }
 
 // Puts the texture onto the mesh; errors do not name the file.
-Result<Project> assemble(OpenedFile opened, TriangleMesh mesh, Progress& progress)
+Result<Project> assemble(const std::filesystem::path& path,
+                         OpenedFile opened,
+                         TriangleMesh mesh,
+                         const OpenOptions& options,
+                         Progress& progress)
 {
     StageProgress building(progress, 0, 0.4);
     auto surface = Surface::build(std::move(mesh), building);
@@ -69,22 +73,27 @@ Result<Project> assemble(OpenedFile opened, TriangleMesh mesh, Progress& progres
         return tl::unexpected(status.error());
     }
     StageProgress reading(progress, 0.4, 1);
-    auto texels = readTexels(opened.file, opened.budget, reading);
+    auto texels =
+        openTexels(std::move(opened.file), path.string(), options, opened.budget, reading);
     if (!texels) {
         return tl::unexpected(texels.error());
     }
-    return Project{
-        std::move(*surface), std::move(*texels), withoutMesh(std::move(opened.metadata))};
+    return Project{std::move(*surface),
+                   std::move(texels->texels),
+                   withoutMesh(std::move(opened.metadata)),
+                   std::move(texels->faces)};
 }
 
-Result<Project>
-openWithOwnMesh(const std::filesystem::path& path, OpenedFile opened, Progress& progress)
+Result<Project> openWithOwnMesh(const std::filesystem::path& path,
+                                OpenedFile opened,
+                                const OpenOptions& options,
+                                Progress& progress)
 {
     auto mesh = meshOf(opened.metadata, opened.file.faceCount());
     if (!mesh) {
         return inFile(path, mesh.error());
     }
-    auto project = assemble(std::move(opened), std::move(*mesh), progress);
+    auto project = assemble(path, std::move(opened), std::move(*mesh), options, progress);
     return project ? std::move(project) : inFile(path, project.error());
 }
 
@@ -102,7 +111,8 @@ PtxContents contentsOf(const Project& project)
 
 } // namespace
 
-Result<Project> openProject(const std::filesystem::path& path, Progress& progress)
+Result<Project>
+openProject(const std::filesystem::path& path, Progress& progress, const OpenOptions& options)
 {
     auto opened = openFile(path);
     if (!opened) {
@@ -117,7 +127,7 @@ Result<Project> openProject(const std::filesystem::path& path, Progress& progres
                              std::to_string(*version) + ", this Trixel opens versions up to " +
                              std::to_string(kProjectVersion));
     }
-    return openWithOwnMesh(path, std::move(*opened), progress);
+    return openWithOwnMesh(path, std::move(*opened), options, progress);
 }
 
 Status saveProject(const std::filesystem::path& path, const Project& project, Progress& progress)
@@ -127,7 +137,8 @@ Status saveProject(const std::filesystem::path& path, const Project& project, Pr
     return writePtx(path, contents, {.mips = false}, progress);
 }
 
-Result<Project> openPtx(const std::filesystem::path& path, Progress& progress)
+Result<Project>
+openPtx(const std::filesystem::path& path, Progress& progress, const OpenOptions& options)
 {
     auto opened = openFile(path);
     if (!opened) {
@@ -138,11 +149,13 @@ Result<Project> openPtx(const std::filesystem::path& path, Progress& progress)
                              ": does not carry its mesh; open it together with the mesh it was "
                              "painted on");
     }
-    return openWithOwnMesh(path, std::move(*opened), progress);
+    return openWithOwnMesh(path, std::move(*opened), options, progress);
 }
 
-Result<Project>
-openPtxOnMesh(const std::filesystem::path& path, TriangleMesh mesh, Progress& progress)
+Result<Project> openPtxOnMesh(const std::filesystem::path& path,
+                              TriangleMesh mesh,
+                              Progress& progress,
+                              const OpenOptions& options)
 {
     auto opened = openFile(path);
     if (!opened) {
@@ -153,8 +166,20 @@ openPtxOnMesh(const std::filesystem::path& path, TriangleMesh mesh, Progress& pr
                              std::to_string(opened->file.faceCount()) + " faces, the mesh has " +
                              std::to_string(mesh.faceCount()));
     }
-    auto project = assemble(std::move(*opened), std::move(mesh), progress);
+    auto project = assemble(path, std::move(*opened), std::move(mesh), options, progress);
     return project ? std::move(project) : inFile(path, project.error());
+}
+
+Result<OpenedTexels>
+openPtxTexels(const std::filesystem::path& path, Progress& progress, const OpenOptions& options)
+{
+    MemoryBudget budget;
+    auto file = openPtxFile(path, budget);
+    if (!file) {
+        return tl::unexpected(file.error());
+    }
+    auto texels = openTexels(std::move(*file), path.string(), options, budget, progress);
+    return texels ? std::move(texels) : inFile(path, texels.error());
 }
 
 Status exportPtx(const std::filesystem::path& path,

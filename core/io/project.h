@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/ptx.h"
+#include "core/io/ptx_stored_faces.h"
 #include "core/mesh/surface.h"
 #include "core/texture/texel_store.h"
 
@@ -20,20 +21,34 @@ struct Project
     TexelStore texels;
     /// Metadata a .ptx brought along, kept when it is written again (the mesh keys apart).
     std::vector<PtxMetadata> metadata;
+    /// What reads the faces of a large file when they are asked for, and knows which could not be
+    /// read; null when all texels were read at once.
+    std::shared_ptr<StoredFaces> storedFaces = {};
 };
 
-/// Opens a `.trixel` project. Errors name the file; a newer version is refused.
-Result<Project> openProject(const std::filesystem::path& path, Progress& progress);
+/// Opens a `.trixel` project. Errors name the file; a newer version is refused. Of large files only
+/// the structure is read: see `OpenOptions` and stored_faces.h.
+Result<Project>
+openProject(const std::filesystem::path& path, Progress& progress, const OpenOptions& options = {});
+/// Fails, as `exportPtx` does, if a face could not be read from the file it lies in.
 Status saveProject(const std::filesystem::path& path, const Project& project, Progress& progress);
 
 /// Opens a `.ptx` that carries its mesh (the PtexFaceVert… metadata).
 /// Fails with a sentence that asks for the mesh when it does not: see `openPtxOnMesh`.
-Result<Project> openPtx(const std::filesystem::path& path, Progress& progress);
+Result<Project>
+openPtx(const std::filesystem::path& path, Progress& progress, const OpenOptions& options = {});
 
 /// Opens a `.ptx` on a mesh given beside it; refuses one whose face count, order or winding
 /// differs, naming the first face that shows it.
-Result<Project>
-openPtxOnMesh(const std::filesystem::path& path, TriangleMesh mesh, Progress& progress);
+Result<Project> openPtxOnMesh(const std::filesystem::path& path,
+                              TriangleMesh mesh,
+                              Progress& progress,
+                              const OpenOptions& options = {});
+
+/// Opens the texels of a `.ptx` without a mesh, in the same way.
+Result<OpenedTexels> openPtxTexels(const std::filesystem::path& path,
+                                   Progress& progress,
+                                   const OpenOptions& options = {});
 
 /// Writes the project's texels as .ptx with its mesh in the metadata. Bookmarked views stay behind.
 Status exportPtx(const std::filesystem::path& path,

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace trixel {
 
@@ -127,6 +128,27 @@ void premultiply(const TexelFormat& format, std::span<std::byte> texels)
     }
     withTexelType(format.type,
                   [&](auto type) { premultiplyAs<decltype(type)::value>(format, texels); });
+}
+
+void unpremultiply(const TexelFormat& format, std::span<std::byte> texels)
+{
+    check(texels.size() % format.texelBytes() == 0, "whole texels");
+    if (!format.alpha) {
+        return;
+    }
+    const auto [first, last] = premultipliedChannels(format);
+    std::vector<float> values(format.channels);
+    for (std::size_t at = 0; at < texels.size(); at += format.texelBytes()) {
+        const auto texel = texels.subspan(at, format.texelBytes());
+        decode(format.type, texel, values);
+        const float alpha = values[*format.alpha];
+        if (alpha > 0) {
+            for (std::size_t c = first; c < last; ++c) {
+                values[c] /= alpha;
+            }
+            encode(format.type, values, texel);
+        }
+    }
 }
 
 void averageTexel(const TexelFormat& format,

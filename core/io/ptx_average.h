@@ -19,6 +19,10 @@ std::pair<std::size_t, std::size_t> premultipliedChannels(const TexelFormat& for
 /// Scales the colours of every texel by its opacity; integers are rounded to nearest.
 void premultiply(const TexelFormat& format, std::span<std::byte> texels);
 
+/// Divides the colours of every texel by its opacity, where it has any: what `premultiply` was
+/// given but for what rounding took.
+void unpremultiply(const TexelFormat& format, std::span<std::byte> texels);
+
 /// The mean of the texels, channel by channel, integers rounded to nearest with ties to even. With
 /// alpha, colours are weighted by opacity (which leaves the average not premultiplied), unless
 /// nothing is opaque.

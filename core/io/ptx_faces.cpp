@@ -22,19 +22,13 @@ namespace {
 constexpr std::size_t kChunkFaces = 1024;
 constexpr std::uint64_t kChunkBytes = std::uint64_t{8} << 20U;
 
-std::uint64_t storedBytes(const FaceTexels& face)
-{
-    return face.isConstant() ? face.texelBytes()
-                             : std::uint64_t{face.level().texelCount()} * face.texelBytes();
-}
-
 // First faces of the chunks and, at the end, the number of faces.
 std::vector<std::size_t> chunkBegins(const TexelStore& store)
 {
     std::vector<std::size_t> begins{0};
     std::uint64_t bytes = 0;
     for (std::size_t face = 0; face < store.faceCount(); ++face) {
-        bytes += storedBytes(store.face(faceId(face)));
+        bytes += store.face(faceId(face)).byteCount();
         if (face + 1 - begins.back() == kChunkFaces || bytes >= kChunkBytes) {
             begins.push_back(face + 1);
             bytes = 0;
@@ -169,13 +163,18 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
     SharedProgress shared(progress, faces.chunks.size());
     std::mutex mutex;
     std::size_t tooLarge = store.faceCount();
+    std::atomic<bool> damaged = false;
     const auto packChunk = [&](std::size_t k, ChunkPacker& packer) {
         for (std::size_t f = begins[k]; f < begins[k + 1]; ++f) {
-            const FaceTexels& face = store.face(faceId(f));
+            const FaceTexels face = store.face(faceId(f)).pinned();
             faces.infos[f] = infoOf(faceId(f), face.level(), adjacency);
             const auto constant = std::span(faces.constants).subspan(f * texelBytes, texelBytes);
+            if (face.isDamaged()) {
+                damaged = true;
+                return;
+            }
             const bool fits =
-                storedBytes(face) < kMaxPtxFaceBytes && packer.pack(face, faces.infos[f], constant);
+                face.byteCount() < kMaxPtxFaceBytes && packer.pack(face, faces.infos[f], constant);
             if (!fits) {
                 const std::scoped_lock lock(mutex);
                 tooLarge = std::min(tooLarge, f);
@@ -190,10 +189,14 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
     const std::size_t workers = std::min<std::size_t>(threads.count, faces.chunks.size());
     parallelFor(workers, 1, threads, [&](std::size_t, std::size_t) {
         ChunkPacker packer(store.format(), mips);
-        for (std::size_t k = next++; k < faces.chunks.size() && shared.goesOn(); k = next++) {
+        for (std::size_t k = next++; k < faces.chunks.size() && shared.goesOn() && !damaged;
+             k = next++) {
             packChunk(k, packer);
         }
     });
+    if (damaged) {
+        return tl::unexpected(store.checkWhole().error());
+    }
     if (tooLarge < store.faceCount()) {
         return contentsError("the texels of face " + std::to_string(tooLarge) +
                              " take more bytes than a .ptx can hold in one face");

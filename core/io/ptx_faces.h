@@ -63,7 +63,7 @@ struct PtxFaces
 };
 
 /// Packs every face, in parallel; the result does not depend on the number of threads. Errors name
-/// a face that is larger than the format can hold.
+/// a face that is larger than the format can hold, or that could not be read from its own file.
 /// \param adjacency  of as many faces as the store has (checked)
 Result<PtxFaces> packPtxFaces(const TexelStore& store,
                               const Adjacency& adjacency,

@@ -325,6 +325,19 @@ PtxFile::texels(FaceId face, int reduction, PtxDecoder& decoder) const
 
 Result<bool> PtxFile::decode(FaceId face, int reduction, PtxDecoder& decoder) const
 {
+    if (!block(face, reduction)) {
+        return false;
+    }
+    if (Status status = checkFaceSize(face, reduction); !status) {
+        return tl::unexpected(status.error());
+    }
+    const std::size_t texels = info(face).level().coarser(reduction).texelCount();
+    return decode(face, reduction, decoder, decoder.texels.first(texels * m_format.texelBytes()));
+}
+
+Result<bool>
+PtxFile::decode(FaceId face, int reduction, PtxDecoder& decoder, std::span<std::byte> texels) const
+{
     const std::optional<PtxBlock> place = block(face, reduction);
     if (!place) {
         return false;
@@ -335,19 +348,25 @@ Result<bool> PtxFile::decode(FaceId face, int reduction, PtxDecoder& decoder) co
         return tl::unexpected(bytes.error());
     }
     const Level level = info(face).level().coarser(reduction);
-    const std::uint64_t size = std::uint64_t{level.texelCount()} * m_format.texelBytes();
-    const std::string why =
-        size < kMaxPtxFaceBytes
-            ? decodePtxBlock(
-                  m_format, level, place->header, *bytes, decoder, decoder.texels.first(size))
-            : "has more texels than a .ptx can hold";
-    if (!why.empty()) {
-        const std::string reduced =
-            reduction > 0 ? ", reduced " + std::to_string(reduction) + " times," : std::string();
-        return contentsError("the block of face " + std::to_string(indexOf(face)) + reduced +
-                             " at byte " + std::to_string(place->offset) + " " + why);
+    const std::string why = decodePtxBlock(m_format, level, place->header, *bytes, decoder, texels);
+    return why.empty() ? Result<bool>(true) : blockError(face, reduction, why);
+}
+
+tl::unexpected<Error> PtxFile::blockError(FaceId face, int reduction, const std::string& why) const
+{
+    const std::string reduced =
+        reduction > 0 ? ", reduced " + std::to_string(reduction) + " times," : std::string();
+    return contentsError("the block of face " + std::to_string(indexOf(face)) + reduced +
+                         " at byte " + std::to_string(block(face, reduction)->offset) + " " + why);
+}
+
+Status PtxFile::checkFaceSize(FaceId face, int reduction) const
+{
+    const std::uint64_t texels = info(face).level().coarser(reduction).texelCount();
+    if (info(face).isConstant() || texels * m_format.texelBytes() < kMaxPtxFaceBytes) {
+        return {};
     }
-    return true;
+    return blockError(face, reduction, "has more texels than a .ptx can hold");
 }
 
 std::uint64_t PtxFile::texelBytes() const

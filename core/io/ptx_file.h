@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -66,6 +67,12 @@ public:
     /// The same into decoder.texels, whose first 4^n texels are then filled; false if nothing is
     /// stored there (nor is it for constant faces).
     Result<bool> decode(FaceId face, int reduction, PtxDecoder& decoder) const;
+    /// The same into memory of the caller. \param texels  4^n texels (checked)
+    Result<bool>
+    decode(FaceId face, int reduction, PtxDecoder& decoder, std::span<std::byte> texels) const;
+
+    /// Refuses a face whose texels take more bytes than the format can hold in one.
+    Status checkFaceSize(FaceId face, int reduction = 0) const;
 
     /// Bytes that all faces' texels take in memory, constant faces as one texel.
     std::uint64_t texelBytes() const;
@@ -111,6 +118,7 @@ private:
                              std::vector<PtxMetadata>& items) const;
     Status readLargeMetadata(MemoryBudget& budget, std::vector<PtxMetadata>& items) const;
 
+    tl::unexpected<Error> blockError(FaceId face, int reduction, const std::string& why) const;
     Result<std::vector<std::byte>> bytes(Range range) const;
     Status unzip(Range zipped, std::span<std::byte> out, std::string_view what) const;
 

@@ -29,7 +29,7 @@ public:
     /// What is wrong with the face; empty if nothing.
     std::string faultOf(FaceId face)
     {
-        const FaceTexels& meant = m_meant.face(face);
+        const FaceTexels meant = m_meant.face(face).pinned();
         if (m_file.info(face).isConstant()) {
             return meant == FaceTexels::constant(meant.level(), m_file.constantValue(face))
                        ? std::string()
