@@ -4,6 +4,7 @@
 #include <QByteArray>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace trixel::ui {
@@ -16,10 +17,23 @@ constexpr std::size_t kSampleTexels = 16384; ///< of one face, at most
 /// measured on scanned and modelled meshes.
 constexpr std::uint64_t kBytesPerFace = 17;
 
+/// The face, or of one that lies in a file a coarser level that is there for little.
+FaceTexels sampleOf(const FaceTexels& face)
+{
+    for (int log2 = face.isLoaded() ? 0 : face.level().log2() - 1; log2 > 1; --log2) {
+        if (Level(log2).texelCount() <= kSampleTexels) {
+            if (auto coarse = face.storedLevel(Level(log2))) {
+                return std::move(*coarse);
+            }
+        }
+    }
+    return face.pinned();
+}
+
 /// The first texels of a face in another type, one channel after the other.
 QByteArray planar(const FaceTexels& face, const TexelFormat& format, TexelType type)
 {
-    const std::size_t count = std::min(kSampleTexels, face.bytes().size() / format.texelBytes());
+    const std::size_t count = std::min(kSampleTexels, face.byteCount() / format.texelBytes());
     std::vector<float> values(count * format.channels);
     decode(format.type, face.bytes().first(count * format.texelBytes()), values);
     std::vector<float> split(values.size());
@@ -65,7 +79,7 @@ ExportEstimate estimatePtx(const TexelStore& texels, TexelType type, bool mips)
     double compressed = 0;
     const std::size_t step = std::max<std::size_t>(1, painted.size() / kSampleFaces);
     for (std::size_t k = 0; k < painted.size(); k += step) {
-        QByteArray bytes = planar(texels.face(painted[k]), format, type);
+        QByteArray bytes = planar(sampleOf(texels.face(painted[k])), format, type);
         takeDifferences(bytes, type);
         sampled += static_cast<double>(bytes.size());
         compressed += static_cast<double>(qCompress(bytes, 6).size());

@@ -6,6 +6,7 @@
 #include "core/base/check.h"
 #include "core/io/new_project.h"
 #include "core/study/views/project_views.h"
+#include "ui/document/stored_faces_watch.h"
 #include "ui/document/swap_patch.h"
 #include "ui/document/swap_store.h"
 #include "ui/document/swap_views.h"
@@ -57,7 +58,9 @@ Change changeOf(const TexelPatch& patch, const TexelStore& texels)
 Document::Document(QObject* parent)
     : QObject(parent)
     , m_bookmarks(new ViewBookmarks(*this))
+    , m_storedFaces(new StoredFacesWatch(*this))
 {
+    connect(m_storedFaces, &StoredFacesWatch::damaged, this, &Document::notice);
     connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
 }
 
@@ -78,6 +81,7 @@ void Document::open(Project project, const QString& path, const QString& title)
     m_openedState = {m_lastState, m_lastState};
     m_savedState = m_openedState;
     m_undo.clear();
+    m_storedFaces->begin();
     const Result<SceneViews> views = viewsOf(m_project);
     m_bookmarks->take(views.value_or(SceneViews()));
     emit opened();
@@ -115,6 +119,13 @@ void Document::announceModified()
     const bool modified = isModified();
     if (std::exchange(m_announcedModified, modified) != modified) {
         emit modifiedChanged(modified);
+    }
+}
+
+void Document::releaseHeldTexels()
+{
+    if (!m_stroke) {
+        m_project.texels.releaseHeld();
     }
 }
 

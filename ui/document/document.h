@@ -25,6 +25,7 @@ struct Change
     std::vector<TouchedRect> rects;
 };
 
+class StoredFacesWatch;
 class ViewBookmarks;
 
 /// Names a state of the document: equal names mean equal texels and equal views. Unlike a position
@@ -59,6 +60,12 @@ public:
     const TexelStore& texels() const { return m_project.texels; }
     /// A snapshot for saving and exporting while painting goes on; cheap.
     Project snapshot() const { return m_project; }
+
+    /// What reads the faces of a large file when they are asked for; null when all are in memory.
+    const std::shared_ptr<StoredFaces>& storedFaces() const { return m_project.storedFaces; }
+    /// `TexelStore::releaseHeld`: spans and references into stored faces end. Not during a stroke,
+    /// which it leaves alone.
+    void releaseHeldTexels();
 
     /// The views bookmarked in the project; changed through this, one undo step a change.
     ViewBookmarks& bookmarks() { return *m_bookmarks; }
@@ -137,6 +144,7 @@ private:
     QString m_path;
     QString m_title;
     ViewBookmarks* m_bookmarks;
+    StoredFacesWatch* m_storedFaces;
     std::optional<Stroke> m_stroke;
     bool m_strokeErases = false;
     QUndoStack m_undo;

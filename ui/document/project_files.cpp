@@ -51,7 +51,7 @@ Result<PtxOutcome> readPtxProject(const std::filesystem::path& path, Progress& p
         return tl::unexpected(project.error());
     }
     // The texels may be sound and only the mesh be missing, which the user can mend.
-    if (readPtx(path, progress)) {
+    if (openPtxTexels(path, progress)) {
         return PtxOutcome{{}, project.error()};
     }
     return tl::unexpected(project.error());
