@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace trixel::render {
 
@@ -17,9 +18,12 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 12U;
 
-/// The texel in the middle of a face.
+/// The texel in the middle of a face; the mean of one that still lies in its file.
 std::span<const std::byte> middleTexel(const FaceTexels& face)
 {
+    if (face.isStored()) {
+        return *face.mean();
+    }
     const TexelCoord coarse = texelAt(Level(), TexelIndex{});
     const TexelCoord middle = texelAt(face.level(), centroid(Level(), coarse));
     return face.texel(indexOf(texelIndex(face.level(), middle)));
@@ -40,8 +44,12 @@ public:
         if (face.isConstant()) {
             return face.bytes();
         }
-        std::span<const std::byte> fine = face.bytes();
-        for (int k = face.level().log2(); k > level.log2(); --k) {
+        if (face.isStored() && level == Level()) {
+            return *face.mean();
+        }
+        m_from = fineEnough(face, level);
+        std::span<const std::byte> fine = m_from.bytes();
+        for (int k = m_from.level().log2(); k > level.log2(); --k) {
             std::vector<std::byte>& coarse = m_buffers[static_cast<std::size_t>(k % 2)];
             coarse.resize(m_format.texelBytes() * Level(k - 1).texelCount());
             reduceTexels(m_format, Level(k), fine, coarse);
@@ -51,7 +59,19 @@ public:
     }
 
 private:
+    /// The face, or of one that lies in a file the coarsest level there that will do.
+    static FaceTexels fineEnough(const FaceTexels& face, Level level)
+    {
+        for (int k = level.log2(); k < face.level().log2() && !face.isLoaded(); ++k) {
+            if (auto coarse = face.storedLevel(Level(k))) {
+                return std::move(*coarse);
+            }
+        }
+        return face.pinned();
+    }
+
     const TexelFormat& m_format;
+    FaceTexels m_from;
     std::array<std::vector<std::byte>, 2> m_buffers;
 };
 
