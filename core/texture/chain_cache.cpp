@@ -2,6 +2,7 @@
 #include "core/texture/chain_cache.h"
 
 #include "core/base/check.h"
+#include "core/texture/pinned_face.h"
 #include "core/texture/texel_codec.h"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void ChainCache::fill(const TexelStore& store, std::uint32_t face, Chain& chain)
     }
     chain.level = texels.level();
     chain.constant = texels.isConstant();
-    decodeChosen(store.format(), m_channels, texels.bytes(), chain.values.get());
+    decodeChosen(store.format(), m_channels, PinnedFace(texels)->bytes(), chain.values.get());
     if (!chain.constant) {
         fillCoarser(chain.level, chain.values.get());
     }

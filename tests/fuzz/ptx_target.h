@@ -3,10 +3,40 @@
 
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_reader.h"
+#include "core/io/ptx_stored_faces.h"
 
 #include <string_view>
 
 namespace trixel {
+
+/// Reads every face when it is asked for, the coarser levels first.
+inline void readPtxFaceByFace(std::string_view bytes, std::uint64_t most)
+{
+    MemoryBudget budget(most);
+    auto file = PtxFile::open(memorySource(bytes), budget);
+    if (!file) {
+        return;
+    }
+    NoProgress progress;
+    const auto opened = openTexels(
+        std::move(*file), "fuzz", {.wholeBytes = 0, .cacheBytes = most / 4}, budget, progress);
+    if (!opened) {
+        return;
+    }
+    std::uint64_t left = most;
+    for (std::uint32_t f = 0; f < opened->texels.faceCount(); ++f) {
+        const FaceTexels& face = opened->texels.face(faceId(f));
+        if (face.byteCount() > left) {
+            continue;
+        }
+        left -= face.byteCount();
+        for (int log2 = 0; log2 < face.level().log2(); ++log2) {
+            (void)face.storedLevel(Level(log2));
+        }
+        (void)face.pinned();
+    }
+    (void)opened->texels.checkWhole();
+}
 
 /// Reads everything there is to read of a .ptx: every level of every face, metadata, links, mesh.
 inline void readAllOfPtx(std::string_view bytes)
@@ -22,6 +52,7 @@ inline void readAllOfPtx(std::string_view bytes)
     if (contents && carriesMesh(contents->metadata)) {
         (void)meshOf(contents->metadata, file->faceCount());
     }
+    readPtxFaceByFace(bytes, kBudgetBytes);
     PtxDecoder decoder;
     std::uint64_t left = kBudgetBytes;
     for (std::uint32_t face = 0; face < file->faceCount(); ++face) {

@@ -89,7 +89,7 @@ PtxKeeping keepingOf(const MipFocus& focus, Level level)
 
 std::uint64_t memoryBytes(const MipFocus& focus, Level level)
 {
-    return level == focus.base() ? focus.texels().bytes().size() : 0;
+    return level == focus.base() ? focus.texels().byteCount() : 0;
 }
 
 QString bytesText(double bytes)
