@@ -21,15 +21,25 @@ QByteArray shaderSource(const QString& name, const QByteArray& defines)
 
 } // namespace
 
-Result<std::unique_ptr<QOpenGLShaderProgram>>
-loadProgram(const QString& vertex, const QString& fragment, const QByteArray& defines)
+Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
+                                                          const QString& fragment,
+                                                          const QByteArray& defines,
+                                                          const QStringList& pieces,
+                                                          const QByteArray& ofVertex)
 {
     auto program = std::make_unique<QOpenGLShaderProgram>();
     const auto add = [&](QOpenGLShader::ShaderType type,
                          const QString& name,
-                         const QByteArray& lines) -> Status {
-        const QByteArray source = shaderSource(name, lines);
-        if (source.isEmpty()) {
+                         const QByteArray& lines,
+                         const QStringList& more) -> Status {
+        QByteArray source = shaderSource(name, lines);
+        bool isWhole = !source.isEmpty();
+        for (const QString& piece : more) {
+            QFile file(QStringLiteral(":/shaders/") + piece);
+            isWhole = isWhole && file.open(QIODevice::ReadOnly);
+            source += file.readAll();
+        }
+        if (!isWhole) {
             return contentsError("shader " + name.toStdString() + " is not in the program");
         }
         if (!program->addShaderFromSourceCode(type, source)) {
@@ -38,10 +48,10 @@ loadProgram(const QString& vertex, const QString& fragment, const QByteArray& de
         }
         return {};
     };
-    if (const Status added = add(QOpenGLShader::Vertex, vertex, {}); !added) {
+    if (const Status added = add(QOpenGLShader::Vertex, vertex, ofVertex, {}); !added) {
         return tl::unexpected(added.error());
     }
-    if (const Status added = add(QOpenGLShader::Fragment, fragment, defines); !added) {
+    if (const Status added = add(QOpenGLShader::Fragment, fragment, defines, pieces); !added) {
         return tl::unexpected(added.error());
     }
     if (!program->link()) {

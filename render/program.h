@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QOpenGLShaderProgram>
 #include <QString>
+#include <QStringList>
 
 #include "core/base/result.h"
 
@@ -14,7 +15,12 @@ namespace trixel::render {
 /// Compiles and links the embedded shaders `:/shaders/<vertex>` and `:/shaders/<fragment>` in the
 /// current context. Errors name the file and hold the compiler's words.
 /// \param defines  lines put after `#version` of the fragment shader
-Result<std::unique_ptr<QOpenGLShaderProgram>>
-loadProgram(const QString& vertex, const QString& fragment, const QByteArray& defines = {});
+/// \param pieces   other files that follow the fragment shader's own text
+/// \param ofVertex  lines put after `#version` of the vertex shader
+Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
+                                                          const QString& fragment,
+                                                          const QByteArray& defines = {},
+                                                          const QStringList& pieces = {},
+                                                          const QByteArray& ofVertex = {});
 
 } // namespace trixel::render

@@ -52,7 +52,8 @@ Renderer::Renderer(std::unique_ptr<Gl> gl,
     , m_surface(std::move(surface))
     , m_pictures(std::move(pictures))
     , m_overlay(std::move(overlay))
-    , m_layers{Layer{{}, SurfaceTexels(*m_gl)}, Layer{{}, SurfaceTexels(*m_gl)}}
+    , m_layers{Layer{{}, SurfaceTexels(*m_gl), VertexForm(*m_gl), AtlasForm(*m_gl), 0},
+               Layer{{}, SurfaceTexels(*m_gl), VertexForm(*m_gl), AtlasForm(*m_gl), 0}}
     , m_timer(*m_gl)
 {
     m_gl->glGenVertexArrays(1, &m_vertexArray);
@@ -81,9 +82,11 @@ void Renderer::clear()
     m_faceCount = 0;
     m_preview.reset();
     m_hasOtherTexels = false;
+    m_filterMesh.reset();
     for (Layer& layer : m_layers) {
         layer.display = {};
         layer.card.clear(0);
+        clearFilters(layer);
     }
     (void)m_surface->setMesh({}); // an empty mesh always fits
 }
@@ -95,6 +98,8 @@ void Renderer::setTexels(const TexelStore& store, int mipDrop, Side side)
     layer(side).display.reset(
         store, mipDrop, mostTexels(texelBytes(displayFormat(store.format().type))));
     m_format = store.format();
+    layer(side).mipDrop = mipDrop;
+    clearFilters(layer(side));
     applyLook();
     shareBudget();
 }
@@ -130,6 +135,7 @@ void Renderer::clearOtherTexels()
     layer(Side::B).card.clear(m_faceCount);
     m_hasOtherTexels = false;
     shareBudget();
+    clearFilters(layer(Side::B));
 }
 
 void Renderer::setLook(const Look& look)
@@ -144,6 +150,8 @@ void Renderer::applyLook()
     const CardChannels channels = channelsFor(m_format, m_cardLook.rule);
     for (Layer& layer : m_layers) {
         layer.display.showChannels(channels);
+        layer.vertices.showChannels(channels);
+        layer.atlas.showChannels(channels);
     }
     m_cardLook.channels = channels;
     const auto number = std::ranges::find(channels, m_cardLook.rule.number);
@@ -154,6 +162,15 @@ void Renderer::applyLook()
 void Renderer::touchTexels(const TexelStore& store, std::span<const TouchedRect> rects, Side side)
 {
     layer(side).display.touch(store, rects);
+    layer(side).vertices.touch(store, rects);
+    layer(side).atlas.touch(store, rects);
+}
+
+void Renderer::touchAllTexels(Side side)
+{
+    layer(side).display.touchAll();
+    layer(side).vertices.touchAll();
+    layer(side).atlas.touchAll();
 }
 
 std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudget, Side side)
@@ -198,11 +215,20 @@ void Renderer::drawBackground()
     m_background->release();
 }
 
-void Renderer::drawSide(const Scene& scene, Side texels, Side picture)
+void Renderer::drawSide(const Scene& scene, Filtering filtering, Side texels, Side picture)
 {
     m_gl->glBindVertexArray(m_vertexArray);
     PaintPreview* preview = texels == Side::A ? m_preview.get() : nullptr;
-    m_surface->draw(scene.camera, scene.surface, layer(texels).card, m_cardLook, preview);
+    SurfaceStyle style = scene.surface;
+    style.filtering = isFilterReady(filtering, texels) ? filtering : Filtering::Texels;
+    const FilterSource source = sourceOf(style.filtering);
+    Layer& shown = layer(texels);
+    m_surface->draw(scene.camera,
+                    style,
+                    source == FilterSource::Vertices ? shown.vertices.card() : shown.card,
+                    m_cardLook,
+                    preview,
+                    source == FilterSource::Atlas ? &shown.atlas.card() : nullptr);
     m_gl->glBindVertexArray(m_vertexArray);
     this->picture(picture).draw();
     m_gl->glBindVertexArray(0);
@@ -236,17 +262,21 @@ void Renderer::drawFrame(const Scene& scene)
     m_gl->glClear(GL_DEPTH_BUFFER_BIT);
     m_gl->glBindVertexArray(m_vertexArray);
     drawBackground();
+    const Filtering own = scene.surface.filtering;
     if (scene.split) {
         const Split& split = *scene.split;
         const int column = std::clamp(split.column, 0, size.x);
         m_gl->glEnable(GL_SCISSOR_TEST);
         m_gl->glScissor(0, 0, column, size.y);
-        drawSide(scene, Side::A, Side::A);
+        drawSide(scene, own, Side::A, Side::A);
         m_gl->glScissor(column, 0, size.x - column, size.y);
-        drawSide(scene, split.ownTexels ? Side::B : Side::A, split.ownPicture ? Side::B : Side::A);
+        drawSide(scene,
+                 split.otherFiltering.value_or(own),
+                 split.ownTexels ? Side::B : Side::A,
+                 split.ownPicture ? Side::B : Side::A);
         m_gl->glDisable(GL_SCISSOR_TEST);
     } else {
-        drawSide(scene, Side::A, Side::A);
+        drawSide(scene, own, Side::A, Side::A);
     }
     m_overlay->draw(scene.camera, scene.overlays, scene.surface.pixelRatio);
 }

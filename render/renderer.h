@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "render/camera.h"
+#include "render/filter_layer.h"
 #include "render/frame_figures.h"
 #include "render/frame_timer.h"
 #include "render/overlay_pass.h"
@@ -61,7 +62,7 @@ public:
     void
     touchTexels(const TexelStore& store, std::span<const TouchedRect> rects, Side side = Side::A);
     /// Every texel may have changed; what is shown stays until it is replaced.
-    void touchAllTexels(Side side = Side::A) { layer(side).display.touchAll(); }
+    void touchAllTexels(Side side = Side::A);
     /// Sends touched texels and, up to a budget of bytes, texels that have not been sent yet.
     /// \return bytes of texels sent
     std::size_t uploadTexels(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
@@ -69,6 +70,19 @@ public:
     {
         return m_layers[static_cast<std::size_t>(side)].display;
     }
+
+    /// What filtering over vertices and in the packed atlas needs; until then such ways of
+    /// filtering show texels. To be set again when faces get other levels.
+    void setFilterMesh(std::shared_ptr<const FilterMesh> mesh);
+    /// The ways of filtering that frames to come show. What others need is given up.
+    void wantFilterings(std::span<const Filtering> filterings);
+    /// Sends up to a budget of bytes of what they need beside texels, which is made in the
+    /// background. \return bytes sent
+    std::size_t uploadFilters(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
+    /// Whether `uploadFilters` will have something to send, now or later.
+    bool hasFilterWork(Side side = Side::A) const;
+    /// What is on the card for a way of filtering; nothing until all of it is.
+    bool isFilterReady(Filtering filtering, Side side = Side::A) const;
 
     /// How texels are looked at from now on. A channel that is not on the card is sent over the
     /// frames to come; see `uploadTexels`.
@@ -105,15 +119,20 @@ private:
     {
         DisplayTexels display;
         SurfaceTexels card;
+        VertexForm vertices;
+        AtlasForm atlas;
+        int mipDrop = 0;
     };
+    bool wants(FilterSource source) const { return m_wanted[static_cast<std::size_t>(source)]; }
     Layer& layer(Side side) { return m_layers[static_cast<std::size_t>(side)]; }
     void drawFrame(const Scene& scene);
     void drawBackground();
-    void drawSide(const Scene& scene, Side texels, Side picture);
+    void drawSide(const Scene& scene, Filtering filtering, Side texels, Side picture);
     void applyLook();
     std::uint32_t mostTexels(std::size_t bytesEach) const;
     void shareBudget();
     std::size_t send(Layer& layer, const DisplayUpdate& update);
+    static void clearFilters(Layer& layer);
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
@@ -129,6 +148,8 @@ private:
     std::size_t m_faceCount = 0;
     std::uint64_t m_cardBudget = std::uint64_t{512} << 20U;
     bool m_hasOtherTexels = false;
+    std::shared_ptr<const FilterMesh> m_filterMesh;
+    std::array<bool, 3> m_wanted{}; ///< by `FilterSource`
     FrameTimer m_timer;
     FrameFigures m_figures;
 };

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/surface_pass.h"
 
+#include <QVector2D>
 #include <QVector3D>
 
+#include "core/base/check.h"
+#include "core/filter/probe_plan.h"
 #include "render/color_map.h"
 #include "render/matrices.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace trixel::render {
 
@@ -20,6 +24,8 @@ constexpr std::size_t kNumber = 2;
 constexpr std::size_t kFalseColor = 3;
 constexpr std::size_t kFaceColors = 4;
 constexpr std::size_t kLookShift = 6; // of it in a variant
+
+constexpr int kProbes = 16; // of a pixel that is filtered anisotropically, at most
 
 std::size_t lookOf(const LookRule& rule)
 {
@@ -47,6 +53,43 @@ std::size_t variantOf(const SurfaceStyle& style, const LookRule& rule, bool isPa
            (look << kLookShift);
 }
 
+/// Variants of one way of filtering.
+constexpr std::size_t kLooks = 320;
+
+std::size_t filteringOf(const SurfaceStyle& style)
+{
+    return style.faceColors ? 0 : static_cast<std::size_t>(style.filtering);
+}
+
+/// Whether some style and look ask for it; of ways of filtering but the first, those with both
+/// kinds of lines or none stand for all.
+bool occurs(std::size_t variant)
+{
+    const std::size_t look = variant % kLooks >> kLookShift;
+    const bool hasLines = (variant & 2U) != 0;
+    const bool hasGrid = (variant & 4U) != 0;
+    return (look < kNumber || (variant & 8U) == 0) &&
+           (look != kFalseColor || (variant & 1U) == 0) &&
+           (look < kFaceColors || (variant & 48U) == 0) &&
+           (variant < kLooks || (look < kFaceColors && hasLines == hasGrid));
+}
+
+QStringList piecesOf(std::size_t variant)
+{
+    switch (static_cast<Filtering>(variant / kLooks)) {
+    case Filtering::PackedAtlas:
+        return {QStringLiteral("filter_atlas.glsl")};
+    case Filtering::Seamless:
+        return {QStringLiteral("filter_vertices.glsl"), QStringLiteral("filter_seamless.glsl")};
+    case Filtering::Anisotropic:
+        return {QStringLiteral("filter_vertices.glsl"), QStringLiteral("filter_anisotropic.glsl")};
+    case Filtering::Texels:
+    case Filtering::LowerHalf:
+        break;
+    }
+    return {};
+}
+
 QByteArray definesOf(std::size_t variant)
 {
     QByteArray lines;
@@ -55,8 +98,9 @@ QByteArray definesOf(std::size_t variant)
         lines += QByteArray("#define ") + name + ((variant & bit) != 0 ? " 1\n" : " 0\n");
         bit *= 2;
     }
-    const QByteArray look = QByteArray::number(static_cast<int>(variant >> kLookShift));
-    return lines + "#define LOOK " + look + "\n";
+    const auto number = [](std::size_t n) { return QByteArray::number(static_cast<int>(n)); };
+    return lines + "#define LOOK " + number(variant % kLooks >> kLookShift) +
+           "\n#define FILTERING " + number(variant / kLooks) + "\n";
 }
 
 std::vector<Rgba> scaleColors()
@@ -92,6 +136,8 @@ SurfacePass::SurfacePass(Gl& gl)
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
     , m_faceColors(gl, GL_RGBA8, sizeof(std::uint32_t))
     , m_scale(gl, GL_RGBA8, sizeof(Rgba))
+    , m_scales(gl, GL_RGBA32UI, sizeof(VertexScale))
+    , m_across(gl, GL_R32UI, sizeof(std::uint32_t))
 {
     const std::vector<Rgba> colors = scaleColors();
     m_scale.fill(std::as_bytes(std::span(colors)));
@@ -99,8 +145,11 @@ SurfacePass::SurfacePass(Gl& gl)
 
 Status SurfacePass::makeProgram(std::size_t variant)
 {
-    auto made = loadProgram(
-        QStringLiteral("surface.vert"), QStringLiteral("surface.frag"), definesOf(variant));
+    auto made = loadProgram(QStringLiteral("surface.vert"),
+                            QStringLiteral("surface.frag"),
+                            definesOf(variant),
+                            piecesOf(variant),
+                            definesOf(variant));
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -113,6 +162,9 @@ Status SurfacePass::makeProgram(std::size_t variant)
     program.setUniformValue("texels", 4);
     program.setUniformValue("faceColors", 5);
     program.setUniformValue("scaleColors", 6);
+    program.setUniformValue("scales", 9);
+    program.setUniformValue("across", 10);
+    program.setUniformValue("atlas", 11);
     const std::array<QVector3D, 5> marks{QVector3D(),
                                          vectorOf(markColor(Mark::Clipped)),
                                          vectorOf(markColor(Mark::Negative)),
@@ -127,6 +179,9 @@ Status SurfacePass::makeProgram(std::size_t variant)
 Status SurfacePass::makeAllPrograms()
 {
     for (std::size_t variant = 0; variant < kVariants; ++variant) {
+        if (!occurs(variant)) {
+            continue;
+        }
         if (const Status made = makeProgram(variant); !made) {
             return made;
         }
@@ -137,6 +192,7 @@ Status SurfacePass::makeAllPrograms()
 Status SurfacePass::setMesh(const TriangleMesh& mesh)
 {
     m_faceCount = 0;
+    setFilterMesh(nullptr);
     m_normals.fill({});
     m_faceColors.fill({});
     const std::size_t most = TextureBuffer::maxElements(m_gl);
@@ -147,6 +203,7 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
     m_positions.fill(std::as_bytes(std::span(mesh.positions)));
     m_triangles.fill(std::as_bytes(std::span(mesh.triangles)));
     m_faceCount = mesh.faceCount();
+    m_vertexCount = mesh.positions.size();
     return {};
 }
 
@@ -162,6 +219,43 @@ void SurfacePass::setFaceColors(std::span<const std::uint32_t> colors)
     m_faceColors.fill(std::as_bytes(colors));
 }
 
+void SurfacePass::setFilterMesh(std::shared_ptr<const FilterMesh> mesh)
+{
+    check(!mesh || (mesh->faceCount() == m_faceCount && mesh->scales().size() == m_vertexCount),
+          "of the mesh that is drawn");
+    m_filterMesh = std::move(mesh);
+    m_across.fill({});
+    m_scales.fill(m_filterMesh ? std::as_bytes(std::span(m_filterMesh->scales()))
+                               : std::span<const std::byte>());
+}
+
+/// What the shader needs to know for ways of filtering over vertices.
+void SurfacePass::setFilter(QOpenGLShaderProgram& program,
+                            const Camera& camera,
+                            Filtering filtering)
+{
+    const glm::mat4 projection = camera.projection();
+    const glm::ivec2 size = camera.viewport();
+    if (filtering == Filtering::Anisotropic && m_across.size() == 0) {
+        m_across.fill(std::as_bytes(std::span(m_filterMesh->across())));
+    }
+    m_scales.bind(9);
+    program.setUniformValue("unitsPerPixel", 2 / (projection[0][0] * static_cast<float>(size.x)));
+    if (filtering != Filtering::Anisotropic) {
+        return;
+    }
+    m_across.bind(10);
+    const ProbeSettings settings = probeSettings(kProbes, 1);
+    program.setUniformValue("toClip", toQt(projection * camera.view()));
+    program.setUniformValue(
+        "halfViewport", QVector2D(static_cast<float>(size.x) / 2, static_cast<float>(size.y) / 2));
+    program.setUniformValue("probeSpacing", static_cast<float>(settings.spacing));
+    program.setUniformValue("probeFalloff", static_cast<float>(settings.falloff));
+    program.setUniformValue("probeSupport", static_cast<float>(settings.support));
+    program.setUniformValue("probeThinnest", static_cast<float>(probeCap(settings).thinnest));
+    program.setUniformValue("probesAside", kProbes / 2);
+}
+
 void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
 {
     const LookRule& rule = look.rule;
@@ -175,25 +269,35 @@ void SurfacePass::draw(const Camera& camera,
                        const SurfaceStyle& style,
                        SurfaceTexels& texels,
                        const CardLook& look,
-                       PaintPreview* preview)
+                       PaintPreview* preview,
+                       SurfaceAtlas* atlas)
 {
-    if (m_faceCount == 0 || texels.isEmpty()) {
+    if (m_faceCount == 0 || (atlas == nullptr ? texels.isEmpty() : atlas->isEmpty())) {
         return;
     }
     // The same source has compiled for another style: failing here is for lack of memory at most.
     SurfaceStyle possible = style;
     possible.faceColors = style.faceColors && m_faceColors.size() > 0;
     const bool isPainted = preview != nullptr && preview->isShown();
-    const std::size_t variant = variantOf(possible, look.rule, isPainted);
+    const std::size_t variant =
+        variantOf(possible, look.rule, isPainted) + kLooks * filteringOf(possible);
     if (!m_programs[variant] && !makeProgram(variant)) {
         return;
     }
     QOpenGLShaderProgram& program = *m_programs[variant];
     program.bind();
+    if (filteringOf(possible) >= static_cast<std::size_t>(Filtering::Seamless)) {
+        check(m_filterMesh != nullptr, "a mesh to filter over");
+        setFilter(program, camera, possible.filtering);
+    }
     m_positions.bind(0);
     m_triangles.bind(1);
     m_normals.bind(2);
-    texels.bind(3, 4);
+    if (atlas != nullptr) {
+        atlas->bind(3, 11);
+    } else {
+        texels.bind(3, 4);
+    }
     m_faceColors.bind(5);
     m_scale.bind(6);
     setLook(program, look);

@@ -4,11 +4,13 @@
 #include "core/base/result.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/camera.h"
+#include "render/filter_mesh.h"
 #include "render/filtering.h"
 #include "render/gl.h"
 #include "render/look.h"
 #include "render/paint_preview.h"
 #include "render/program.h"
+#include "render/surface_atlas.h"
 #include "render/surface_texels.h"
 #include "render/texture_buffer.h"
 
@@ -54,23 +56,31 @@ public:
     /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
     void setFaceColors(std::span<const std::uint32_t> colors);
 
-    /// \param texels   of the mesh; nothing is drawn while they are empty
+    /// What ways of filtering over vertices read of the mesh (checked to be of it), or nothing.
+    void setFilterMesh(std::shared_ptr<const FilterMesh> mesh);
+
+    /// \param texels   of the mesh, or vertices where the style filters over these; nothing is
+    /// drawn
+    ///                 while they are empty
     /// \param preview  of a stroke that they do not hold yet, if any
+    /// \param atlas    of the mesh, where the style filters in it; `texels` are not read then
     void draw(const Camera& camera,
               const SurfaceStyle& style,
               SurfaceTexels& texels,
               const CardLook& look,
-              PaintPreview* preview = nullptr);
+              PaintPreview* preview = nullptr,
+              SurfaceAtlas* atlas = nullptr);
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();
 
 private:
-    static constexpr std::size_t kVariants = 320;
+    static constexpr std::size_t kVariants = 5 * 320; ///< of each `Filtering`
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);
     Status makeProgram(std::size_t variant);
+    void setFilter(QOpenGLShaderProgram& program, const Camera& camera, Filtering filtering);
     static void setLook(QOpenGLShaderProgram& program, const CardLook& look);
 
     Gl& m_gl;
@@ -79,7 +89,11 @@ private:
     TextureBuffer m_triangles;
     TextureBuffer m_normals;
     TextureBuffer m_faceColors;
-    TextureBuffer m_scale; ///< the colours of `mapColor`
+    TextureBuffer m_scale;  ///< the colours of `mapColor`
+    TextureBuffer m_scales; ///< of `VertexScale`
+    TextureBuffer m_across; ///< sent when it is first needed
+    std::shared_ptr<const FilterMesh> m_filterMesh;
+    std::size_t m_vertexCount = 0;
     std::size_t m_faceCount = 0;
 };
 

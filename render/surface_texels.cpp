@@ -30,6 +30,17 @@ void SurfaceTexels::clear(std::size_t faceCount)
     m_texels.reset();
 }
 
+void SurfaceTexels::begin(const DisplayUpdate& update, DisplayFormat format)
+{
+    if (!m_texels || m_format != format) {
+        m_texels = texelBuffer(m_gl, format);
+        m_format = format;
+    }
+    if (update.capacity > m_texels->size()) {
+        m_texels->grow(update.capacity);
+    }
+}
+
 void SurfaceTexels::upload(const DisplayUpdate& update,
                            std::span<const FaceRecord> records,
                            DisplayFormat format)

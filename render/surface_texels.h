@@ -23,6 +23,8 @@ public:
     /// Whether there is something to draw.
     bool isEmpty() const { return !m_texels || m_texels->size() == 0; }
 
+    /// Makes room for what an update holds; `upload` does so, too.
+    void begin(const DisplayUpdate& update, DisplayFormat format);
     /// Sends what an update holds. \param records  all of them, as they are now
     void
     upload(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);

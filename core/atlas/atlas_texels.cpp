@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace trixel {
 
@@ -55,6 +56,12 @@ void AtlasTexels::coarsen(Threads threads)
         }
     });
     m_level = m_level.coarser();
+}
+
+void AtlasTexels::replace(FaceId face, FaceTexels texels)
+{
+    check(texels.level() == levelOf(face), "texels of the level that the face has");
+    m_faces[indexOf(face)] = std::move(texels);
 }
 
 AtlasSource AtlasTexels::source(FaceId face, LatticeCell cell) const

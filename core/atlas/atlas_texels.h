@@ -36,6 +36,10 @@ public:
     /// Goes to the next coarser level, reducing as `reduced` does. \pre level() > 0 (checked)
     void coarsen(Threads threads);
 
+    /// Takes a face's texels as they are now. \pre of the level that it has here (checked)
+    void replace(FaceId face, FaceTexels texels);
+    Level levelOf(FaceId face) const { return m_faces[indexOf(face)].level(); }
+
     /// The texel in a cell of a face's lattice at its own resolution or this level's, whichever is
     /// coarser; of a neighbour where the cell lies outside. Across an edge the neighbour is
     /// unfolded as `acrossEdge` does, and asked for its texel under the cell's centroid; beyond a
@@ -48,7 +52,6 @@ public:
     void fill(FaceId face, const AtlasTile& tile, std::byte* page, std::size_t stride) const;
 
 private:
-    Level levelOf(FaceId face) const { return m_faces[indexOf(face)].level(); }
     void fillBorder(FaceId face,
                     const AtlasTile& tile,
                     std::uint32_t row,

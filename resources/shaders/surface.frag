@@ -5,6 +5,8 @@
 // each way of drawing, because a processor that draws runs both sides of every branch.
 // LOOK is 0 for values as they are, 1 for colours in a range, 2 for a number as grey, 3 for a number
 // in false colour: what render/look.cpp does on the processor; and 4 for a colour a face.
+// FILTERING is the number of `Filtering` in render/filtering.h. From 2 on a piece that follows has
+// `filteredTexel`.
 uniform samplerBuffer texels;
 uniform samplerBuffer faceColors;  // one a face
 uniform samplerBuffer scaleColors; // of false colour
@@ -24,6 +26,13 @@ in vec2 uv;
 in vec3 viewPosition;
 in vec3 viewNormal;
 flat in uvec2 record;
+#if FILTERING >= 3
+uniform float unitsPerPixel; // world length of a device pixel at distance 1
+flat in int faceNumber;
+in vec2 log2Scale; // of the length of edges, and of texels, about here
+in vec3 meanNormal;
+in float flatness;
+#endif
 out vec4 color;
 
 // Bits of a face's record, as `FaceRecord` in render/display_texels.h has them.
@@ -42,6 +51,13 @@ const float kFadeTo = 9.0;
 // fractions are taken: v = 1 would read outside, u = 1 wrap into the next row.
 int texelIndex(vec2 p, int resolution)
 {
+#if FILTERING == 1
+    // What programs do that take the face's square for a picture: the pixel at (u, v), drawn in by
+    // an epsilon, or the hypotenuse would show the other half, mirrored.
+    ivec2 pixel = ivec2(p * (1.0 - 1e-4));
+    pixel = clamp(pixel, ivec2(0), ivec2(resolution - 1));
+    return pixel.x + min(pixel.y, resolution - 1 - pixel.x) * resolution;
+#endif
     ivec2 cell = clamp(ivec2(floor(p)), ivec2(0), ivec2(resolution - 1));
     vec2 f = p - vec2(cell);
     bool upper = f.x + f.y > 1.0;
@@ -148,6 +164,14 @@ Shown both(Shown a, Shown b)
     return Shown(isNone ? vec4(-1.0) : a.parts + b.parts, max(a.mark, b.mark));
 }
 
+#if FILTERING >= 2
+vec4 filteredTexel();
+
+Shown shownTexel(int resolution)
+{
+    return shownOf(painted(filteredTexel(), uv * float(resolution), resolution));
+}
+#else
 // The texel under the pixel; where a pixel spans several, the mean of four places within it, which
 // calms what a single one would let flicker.
 Shown shownTexel(int resolution)
@@ -168,6 +192,7 @@ Shown shownTexel(int resolution)
     sum.parts *= 0.25;
     return sum;
 }
+#endif
 
 const vec3 kNoNumber = vec3(255.0, 0.0, 170.0) / 255.0;
 

@@ -14,6 +14,13 @@ out vec2 uv;
 out vec3 viewPosition;
 out vec3 viewNormal;
 flat out uvec2 record;
+#if FILTERING >= 3
+uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_mesh.h
+flat out int faceNumber;
+out vec2 log2Scale;
+out vec3 meanNormal;
+out float flatness;
+#endif
 
 vec3 unpackNormal(uint bits)
 {
@@ -39,5 +46,12 @@ void main()
     if (hasNormals) {
         viewNormal = mat3(view) * unpackNormal(texelFetch(normals, gl_VertexID).x);
     }
+#if FILTERING >= 3
+    uvec4 scale = texelFetch(scales, int(vertex));
+    faceNumber = face;
+    log2Scale = uintBitsToFloat(scale.xy);
+    meanNormal = mat3(view) * unpackNormal(scale.z);
+    flatness = uintBitsToFloat(scale.w);
+#endif
     gl_Position = projection * position;
 }

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/background_layout.h"
+#include "render/display_atlas.h"
+#include "render/display_vertices.h"
+#include "render/filtering.h"
+#include "render/surface_atlas.h"
+#include "render/surface_texels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace trixel::render {
+
+/// What ways of filtering read beside the texels themselves.
+enum class FilterSource { Texels, Vertices, Atlas };
+
+constexpr FilterSource sourceOf(Filtering filtering)
+{
+    switch (filtering) {
+    case Filtering::Seamless:
+    case Filtering::Anisotropic:
+        return FilterSource::Vertices;
+    case Filtering::PackedAtlas:
+        return FilterSource::Atlas;
+    case Filtering::Texels:
+    case Filtering::LowerHalf:
+        break;
+    }
+    return FilterSource::Texels;
+}
+
+/// One derived form of a store's texels on the card: made in the background when it is first
+/// wanted, kept up to date after strokes while it is, given up when it is not.
+/// \tparam Layout  `DisplayVertices` or `DisplayAtlas`
+template <class Layout, class Update, class Card>
+class FilterForm
+{
+public:
+    explicit FilterForm(Gl& gl)
+        : m_card(gl)
+    {
+    }
+
+    /// Gives up everything.
+    void clear();
+    /// Sends what there is to send, `byteBudget` at most; begins where nothing was.
+    /// \param most  what `Layout::reset` takes as its bound
+    /// \return bytes sent
+    std::size_t upload(const std::shared_ptr<const FilterMesh>& mesh,
+                       const TexelStore& store,
+                       const CardChannels& channels,
+                       int mipDrop,
+                       std::uint64_t most,
+                       std::size_t byteBudget);
+    void touch(const TexelStore& store, std::span<const TouchedRect> rects);
+    void touchAll();
+    void showChannels(const CardChannels& channels);
+
+    /// Whether all of it is on the card, if not quite up to date.
+    bool isReady() const { return m_layout.has_value(); }
+    bool hasWork() const { return !m_layout || m_layout->hasWork(); }
+    bool isMaking() const { return m_making != nullptr; }
+    Card& card() { return m_card; }
+    const Layout& layout() const { return *m_layout; }
+
+private:
+    Card m_card;
+    std::unique_ptr<BackgroundLayout<Layout, Update>> m_making;
+    bool m_madeIsOld = false;         ///< what is being made is not what is wanted any more
+    std::vector<TouchedRect> m_since; ///< touched since it began
+    std::optional<Layout> m_layout;
+};
+
+using VertexForm = FilterForm<DisplayVertices, DisplayUpdate, SurfaceTexels>;
+using AtlasForm = FilterForm<DisplayAtlas, AtlasUpdate, SurfaceAtlas>;
+
+} // namespace trixel::render

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/filter_mesh.h"
+
+#include "core/base/check.h"
+#include "render/corner_normals.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+namespace trixel::render {
+
+FilterMesh::FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const TexelStore& store)
+    : m_adjacency(std::move(adjacency))
+    , m_rings(m_adjacency)
+{
+    check(store.faceCount() == mesh.faceCount() && m_adjacency.faceCount() == mesh.faceCount(),
+          "texels and neighbours of this mesh");
+    m_across.reserve(3 * mesh.faceCount());
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        for (const LocalEdge edge : kLocalEdges) {
+            const auto across = m_adjacency.neighbour(faceId(f), edge);
+            m_across.push_back(across ? static_cast<std::uint32_t>(indexOf(across->face)) << 2U |
+                                            static_cast<std::uint32_t>(across->edge)
+                                      : kBorder);
+        }
+    }
+    measure(mesh, store);
+}
+
+void FilterMesh::measure(const TriangleMesh& mesh, const TexelStore& store)
+{
+    struct Sums
+    {
+        double lengths = 0;
+        double edges = 0;
+        double levels = 0;
+        double faces = 0;
+        double area = 0;
+        glm::dvec3 normal{0};
+    };
+    std::vector<Sums> sums(mesh.positions.size());
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const Triangle& triangle = mesh.triangles[f];
+        const auto corners = mesh.corners(faceId(f));
+        const glm::dvec3 twice =
+            glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            Sums& own = sums[triangle[k]];
+            own.levels += store.face(faceId(f)).level().log2();
+            own.faces += 1;
+            own.normal += twice;
+            own.area += glm::length(twice);
+            // An edge that two faces share counts once.
+            const std::uint32_t across = m_across[3 * f + k];
+            const double length = glm::length(glm::dvec3(corners[(k + 1) % 3] - corners[k]));
+            if ((across == kBorder || across >> 2U > f) && length > 0) {
+                const double log2Length = std::log2(length);
+                for (Sums* end : {&own, &sums[triangle[(k + 1) % 3]]}) {
+                    end->lengths += log2Length;
+                    end->edges += 1;
+                }
+            }
+        }
+    }
+    m_scales.resize(sums.size());
+    for (std::size_t v = 0; v < sums.size(); ++v) {
+        const Sums& sum = sums[v];
+        VertexScale& scale = m_scales[v];
+        const double log2Length = sum.edges > 0 ? sum.lengths / sum.edges : 0;
+        scale.log2Length = static_cast<float>(log2Length);
+        scale.log2Texel =
+            static_cast<float>(log2Length - (sum.faces > 0 ? sum.levels / sum.faces : 0));
+        const double length = glm::length(sum.normal);
+        const bool isTurned = length > std::numeric_limits<float>::min() && sum.area > 0;
+        scale.normal = packNormal(isTurned ? glm::vec3(sum.normal / length) : glm::vec3(0, 0, 1));
+        scale.flatness = isTurned ? static_cast<float>(length / sum.area) : 0.0F;
+    }
+}
+
+} // namespace trixel::render

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+#include "core/mesh/vertex_rings.h"
+#include "core/texture/texel_store.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace trixel::render {
+
+/// What the shader knows of a mesh vertex to choose levels by. Everything is one number a vertex,
+/// so that what is interpolated from it is the same on both sides of an edge.
+struct VertexScale
+{
+    float log2Length = 0; ///< mean log2 of the lengths of the edges that meet there, world units
+    float log2Texel = 0;  ///< the same of a texel's edge: less the mean level of the faces there
+    std::uint32_t normal = 0; ///< octahedral, of the mean of the faces' normals by their areas
+    float flatness = 1;       ///< length of that mean: 1 where all faces lie in one plane
+};
+static_assert(sizeof(VertexScale) == 16);
+
+/// A mesh as filtering over lattice vertices needs it: who borders whom, and how large and how
+/// turned the surface is at every vertex. Made away from the window's thread; shared and constant.
+class FilterMesh
+{
+public:
+    static constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
+
+    /// \param store  of the mesh's faces (checked); only its levels count
+    FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const TexelStore& store);
+
+    std::size_t faceCount() const { return m_across.size() / 3; }
+    const Adjacency& adjacency() const { return m_adjacency; }
+    const VertexRings& rings() const { return m_rings; }
+    /// One a mesh vertex.
+    const std::vector<VertexScale>& scales() const { return m_scales; }
+    /// Three a face: neighbour << 2 | edge as it numbers it, or kBorder.
+    const std::vector<std::uint32_t>& across() const { return m_across; }
+
+private:
+    void measure(const TriangleMesh& mesh, const TexelStore& store);
+
+    Adjacency m_adjacency;
+    VertexRings m_rings;
+    std::vector<VertexScale> m_scales;
+    std::vector<std::uint32_t> m_across;
+};
+
+} // namespace trixel::render

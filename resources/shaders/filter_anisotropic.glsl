@@ -1,0 +1,125 @@
+
+// Gaussian probes along the footprint's major axis; the numbers are those of
+// core/filter/probe_plan.h. A probe is a place on the screen beside the pixel, followed over the
+// mesh: across an edge it is seen in the neighbour's plane, so that both sides of the edge ask for
+// the same places.
+uniform usamplerBuffer across;    // three a face: neighbour << 2 | its edge, or all bits
+uniform usamplerBuffer triangles; // three mesh vertices a face
+uniform samplerBuffer positions;  // xyz a mesh vertex
+uniform usamplerBuffer records;
+uniform mat4 toClip;
+uniform vec2 halfViewport; // device pixels
+uniform float probeSpacing; // in sigmas of a probe, of a round footprint
+uniform float probeFalloff;
+uniform float probeSupport; // in sigmas of the weights
+uniform float probeThinnest;
+uniform int probesAside; // at most, of one side
+
+const uint kBorder = 0xffffffffu;
+const int kMostHops = 8;
+
+// A position as the pixel sees it: pixels from its centre, times w, and w.
+vec3 fromPixel(uint vertex)
+{
+    vec4 clip = toClip * vec4(texelFetch(positions, int(vertex)).xyz, 1.0);
+    return vec3(clip.xy * halfViewport + (halfViewport - gl_FragCoord.xy) * clip.w, clip.w);
+}
+
+// The share that the end of an edge has of the edge's point nearest to a place on the screen: the
+// same whichever of the two faces asks.
+float alongEdge(vec2 at, vec3 start, vec3 end)
+{
+    if (min(start.z, end.z) <= 0.0) {
+        return 0.5; // behind the camera
+    }
+    vec2 from = start.xy / start.z;
+    vec2 way = end.xy / end.z - from;
+    float t = clamp(dot(at - from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
+    float ofEnd = t * start.z;
+    return ofEnd / (ofEnd + (1.0 - t) * end.z);
+}
+
+vec4 probe(vec2 offset, vec3 c0, vec3 c1, vec3 c2, float level)
+{
+    vec3 corners[3] = vec3[3](c0, c1, c2);
+    vec3 at = vec3(offset, 1.0);
+    int face = faceNumber;
+    int entered = -1; // by this edge
+    vec3 inside = vec3(1.0 - uv.x - uv.y, uv);
+    for (int hop = 0; hop < kMostHops; ++hop) {
+        vec3 shares = vec3(dot(cross(corners[1], corners[2]), at),
+                           dot(cross(corners[2], corners[0]), at),
+                           dot(cross(corners[0], corners[1]), at));
+        float sum = shares.x + shares.y + shares.z;
+        if (abs(sum) < 1e-30) {
+            break; // seen from its edge
+        }
+        inside = shares / sum;
+        float least = min(inside.x, min(inside.y, inside.z));
+        if (least >= 0.0) {
+            break;
+        }
+        int edge = inside.z == least ? 0 : inside.x == least ? 1 : 2;
+        uint next = texelFetch(across, 3 * face + edge).x;
+        if (next == kBorder || edge == entered || hop + 1 == kMostHops) {
+            // Beyond a border; or beyond a contour, where either face sends on to the other.
+            float t = alongEdge(offset, corners[edge], corners[(edge + 1) % 3]);
+            inside = edge == 0   ? vec3(1.0 - t, t, 0.0)
+                     : edge == 1 ? vec3(0.0, 1.0 - t, t)
+                                 : vec3(t, 0.0, 1.0 - t);
+            break;
+        }
+        face = int(next >> 2);
+        int theirs = int(next & 3u);
+        entered = theirs;
+        vec3 start = corners[edge];
+        vec3 end = corners[(edge + 1) % 3];
+        uint far = texelFetch(triangles, face)[(theirs + 2) % 3];
+        corners[theirs] = end;
+        corners[(theirs + 1) % 3] = start;
+        corners[(theirs + 2) % 3] = fromPixel(far);
+    }
+    inside = max(inside, vec3(0.0));
+    inside /= inside.x + inside.y + inside.z;
+    uvec2 block = face == faceNumber ? record : texelFetch(records, face).xy;
+    return blockValue(block, inside.yz, level);
+}
+
+vec4 filteredTexel()
+{
+    Footprint footprint = pixelFootprint();
+    float major2 = footprint.majorSigma * footprint.majorSigma;
+    float own2 = max(footprint.minorSigma * footprint.minorSigma, probeThinnest * major2);
+    float level = levelFor(own2, footprint.texel);
+    float own = sqrt(own2);
+    float support = probeSupport * sqrt(max(major2 - own2, 0.0));
+    // Thin footprints bear wider steps: of many probes each matters less.
+    float wanted = probeSpacing * own * pow(footprint.majorSigma / own, 0.3);
+    float least = support / (float(probesAside) + 0.5);
+    float most = 2.0 * support / probeSupport; // two probes then have the right variance
+    float stride = max(min(wanted, most), least);
+    if (support < 1e-3 * own) {
+        return blockValue(record, uv, level);
+    }
+
+    uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
+    vec3 c0 = fromPixel(triangle.x);
+    vec3 c1 = fromPixel(triangle.y);
+    vec3 c2 = fromPixel(triangle.z);
+    vec2 direction = footprint.majorDirection / footprint.perPixel;
+    float end = exp(-probeFalloff);
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+    for (int k = 0; k < probesAside; ++k) {
+        float place = (float(k) + 0.5) * stride;
+        float x = place / support;
+        float weight = exp(-probeFalloff * x * x) - end;
+        if (weight <= 0.0) {
+            break;
+        }
+        sum += weight * (probe(place * direction, c0, c1, c2, level) +
+                         probe(-place * direction, c0, c1, c2, level));
+        weights += 2.0 * weight;
+    }
+    return sum / weights;
+}

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ways of filtering on the card: what they show, how they fare at edges and against `exact`.
+#include <QTest>
+
+#include "render/filtering_study.h"
+#include "tests/render/filtering_scenes.h"
+#include "tests/render/offscreen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+using namespace trixel;
+using namespace trixel::render;
+
+namespace {
+
+constexpr int kSide = 192;
+constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
+
+const char* nameOf(Filtering filtering)
+{
+    switch (filtering) {
+    case Filtering::Texels:
+        return "texels";
+    case Filtering::LowerHalf:
+        return "lower-half";
+    case Filtering::PackedAtlas:
+        return "packed-atlas";
+    case Filtering::Seamless:
+        return "seamless";
+    case Filtering::Anisotropic:
+        break;
+    }
+    return "anisotropic";
+}
+
+struct Shown
+{
+    std::shared_ptr<const Surface> surface;
+    TexelStore store;
+    Scene scene;
+};
+
+Scene sceneOf(const Surface& surface, int side, CameraPose pose)
+{
+    Scene scene;
+    scene.camera.setViewport(side, side);
+    scene.camera.setScene(surface.low(), surface.high());
+    scene.camera.frame(surface.low(), surface.high());
+    CameraPose framed = scene.camera.pose();
+    framed.yaw = pose.yaw;
+    framed.pitch = pose.pitch;
+    framed.distance *= pose.distance;
+    scene.camera.setPose(framed);
+    scene.surface.lit = false;
+    return scene;
+}
+
+/// 672 faces whose neighbours may be four levels apart.
+Shown torus(int side = kSide)
+{
+    Shown shown;
+    shown.surface = surfaceOf(torusMesh(24, 14));
+    const TriangleMesh& mesh = shown.surface->mesh();
+    shown.store = solidStore(mesh, mixedLevels(mesh.faceCount(), 1, 5, 7), 3);
+    shown.scene = sceneOf(*shown.surface, side, {{}, 1.0, 0.4, 0.75});
+    return shown;
+}
+
+/// The bunny as if someone had painted it: levels change from region to region.
+std::optional<Shown> bunny(int side = kSide)
+{
+    NoProgress progress;
+    auto mesh = readMesh(kBunny, progress);
+    if (!mesh) {
+        return std::nullopt;
+    }
+    Shown shown;
+    shown.surface = surfaceOf(std::move(*mesh));
+    shown.store = solidStore(shown.surface->mesh(), bandedLevels(shown.surface->mesh(), 1, 3), 3);
+    shown.scene = sceneOf(*shown.surface, side, {{}, 1.0, 0.3, 0.2});
+    return shown;
+}
+
+/// Faces by pixel, 0 where there is none.
+std::vector<std::uint32_t> facesSeen(Gl& gl, Renderer& renderer, Scene scene, std::size_t faces)
+{
+    std::vector<std::uint32_t> colors(faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        colors[f] = static_cast<std::uint32_t>(f + 1) | 0xff000000U;
+    }
+    renderer.setFaceColors(colors);
+    scene.surface.faceColors = true;
+    scene.surface.lit = false;
+    const DrawnPicture drawn = drawNumbers(gl, renderer, scene);
+    renderer.setFaceColors({});
+    std::vector<std::uint32_t> seen(drawn.values.size() / 4);
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        const float* value = drawn.values.data() + 4 * k;
+        const auto byte = [&](int c) {
+            return static_cast<std::uint32_t>(std::lround(value[c] * 255));
+        };
+        seen[k] = byte(0) | byte(1) << 8U | byte(2) << 16U;
+    }
+    return seen;
+}
+
+} // namespace
+
+class TestFiltering : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_offscreen = std::make_unique<Offscreen>(kSide, kSide);
+        QVERIFY2(m_offscreen->isValid(), "OpenGL 4.1 core is needed");
+        m_offscreen->bind();
+        m_gl = currentGl();
+    }
+    void cleanup()
+    {
+        QVERIFY(!m_offscreen->hadErrors());
+        m_gl.reset();
+        m_offscreen.reset();
+    }
+
+    void looksAsItDid_data()
+    {
+        QTest::addColumn<bool>("isBunny");
+        QTest::addColumn<int>("filtering");
+        for (const bool isBunny : {false, true}) {
+            for (const Filtering filtering : kFilterings) {
+                QTest::addRow("%s, %s", isBunny ? "bunny" : "torus", nameOf(filtering))
+                    << isBunny << static_cast<int>(filtering);
+            }
+        }
+    }
+
+    void looksAsItDid()
+    {
+        QFETCH(bool, isBunny);
+        QFETCH(int, filtering);
+        std::optional<Shown>& shown = isBunny ? m_bunny : m_torus;
+        if (!shown) {
+            shown = isBunny ? bunny() : torus();
+        }
+        QVERIFY2(shown, "glmark2-data has the bunny");
+        const auto way = static_cast<Filtering>(filtering);
+        const auto renderer = rendererOf(*shown->surface, shown->store);
+        prepareFilterings(*renderer, shown->store, std::span(&way, 1));
+        QVERIFY(renderer->isFilterReady(way));
+        Scene scene = shown->scene;
+        scene.surface.filtering = way;
+        const QImage image = m_offscreen->draw(*renderer, scene);
+        const QString name =
+            QStringLiteral("%1-%2.png").arg(isBunny ? "bunny" : "torus", nameOf(way));
+        const QString path = QStringLiteral(TRIXEL_TEST_DATA "/filtering/") + name;
+        if (qEnvironmentVariableIsSet("TRIXEL_WRITE_GOLDEN")) {
+            QVERIFY(image.save(path));
+        }
+        const QImage golden = QImage(path).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(golden.size(), image.size());
+        // Processors round otherwise: a few pixels may lie on another side of an edge.
+        int off = 0;
+        double sum = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor a = image.pixelColor(x, y);
+                const QColor b = golden.pixelColor(x, y);
+                const int most = std::max({std::abs(a.red() - b.red()),
+                                           std::abs(a.green() - b.green()),
+                                           std::abs(a.blue() - b.blue())});
+                off += most > 3 ? 1 : 0;
+                sum += most;
+            }
+        }
+        QVERIFY2(off <= image.width() * image.height() / 200, qPrintable(QString::number(off)));
+        QVERIFY2(sum / (image.width() * image.height()) < 0.25, qPrintable(QString::number(sum)));
+    }
+
+    void seamlessWaysDoNotJumpAtEdges()
+    {
+        const Shown shown = torus(384);
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        prepareFilterings(*renderer, shown.store);
+        QVERIFY(largestJump(*renderer, shown, Filtering::Texels) > 0.3);
+        QVERIFY(m_crossed > 100);
+        QVERIFY(largestJump(*renderer, shown, Filtering::PackedAtlas) > 0.1);
+        const double seamless = largestJump(*renderer, shown, Filtering::Seamless);
+        const double anisotropic = largestJump(*renderer, shown, Filtering::Anisotropic);
+        qInfo() << "largest jumps of" << m_crossed << "pixels by edges: seamless" << 255 * seamless
+                << "of 255, anisotropic" << 255 * anisotropic;
+        QVERIFY2(seamless <= 1.0 / 255, qPrintable(QString::number(255 * seamless)));
+        QVERIFY2(anisotropic <= 1.0 / 255, qPrintable(QString::number(255 * anisotropic)));
+    }
+
+    void anisotropicIsNearTheExactAnswer()
+    {
+        Shown shown;
+        shown.surface = surfaceOf(torusMesh(64, 40));
+        const TriangleMesh& mesh = shown.surface->mesh();
+        shown.store = solidStore(mesh, bandedLevels(mesh, 2, 4), 4);
+        shown.scene = sceneOf(*shown.surface, kSide, {{}, 1.0, 0.4, 0.75});
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        prepareFilterings(*renderer, shown.store);
+        NoProgress progress;
+        const auto surface = std::make_shared<const FilterSurface>(
+            FilterSurface::fromMesh(mesh, shown.surface->adjacency()));
+        const FilterScene filters =
+            *FilterScene::build(surface, shown.store, Threads::all(), progress);
+        const ExactPicture exact = *exactPicture(*shown.surface,
+                                                 filters,
+                                                 shown.store.format(),
+                                                 shown.scene.camera,
+                                                 {3, 0},
+                                                 Threads::all(),
+                                                 progress);
+        QVERIFY(exact.queries.size() > 1000);
+        std::array<double, 5> rms{};
+        for (const Filtering filtering : kFilterings) {
+            Scene scene = shown.scene;
+            scene.surface.filtering = filtering;
+            const PictureDifference off = differenceOf(drawNumbers(*m_gl, *renderer, scene), exact);
+            qInfo() << nameOf(filtering) << "RMS %" << 100 * off.rms << "worst %"
+                    << 100 * off.worst;
+            rms[static_cast<std::size_t>(filtering)] = off.rms;
+        }
+        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <= 0.025);
+        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <=
+                rms[static_cast<std::size_t>(Filtering::Seamless)]);
+        QVERIFY(rms[static_cast<std::size_t>(Filtering::Seamless)] <=
+                rms[static_cast<std::size_t>(Filtering::LowerHalf)]);
+    }
+
+    /// What a stroke changes is sent alone, and shows as if all had been sent.
+    void strokesShowInEveryWay()
+    {
+        Shown shown = torus();
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        const std::array<std::byte, 3> grey{std::byte{90}, std::byte{90}, std::byte{90}};
+        for (std::size_t f = 100; f < 160; ++f) { // not painted yet
+            shown.store.exchange(faceId(f),
+                                 FaceTexels::constant(shown.store.face(faceId(f)).level(), grey));
+        }
+        renderer->setTexels(shown.store, 0);
+        prepareFilterings(*renderer, shown.store);
+        std::mt19937 random(3);
+        for (int stroke = 0; stroke < 3; ++stroke) {
+            std::vector<TouchedRect> rects;
+            for (std::size_t f = 90 + 20 * static_cast<std::size_t>(stroke); f < 600; f += 7) {
+                TouchedRect rect{faceId(f), 0, 0, 1, 2};
+                rect.wholeFace = shown.store.face(faceId(f)).isConstant();
+                const std::uint32_t r = shown.store.face(faceId(f)).level().resolution();
+                const auto texels = shown.store.writable(faceId(f));
+                for (std::size_t k = 0; k < 3; ++k) {
+                    texels[k] = static_cast<std::byte>(random());
+                    texels[3 * r + k] = static_cast<std::byte>(random());
+                }
+                rects.push_back(rect);
+            }
+            renderer->touchTexels(shown.store, rects);
+            prepareFilterings(*renderer, shown.store);
+        }
+        const auto anew = rendererOf(*shown.surface, shown.store);
+        prepareFilterings(*anew, shown.store);
+        for (const Filtering filtering : kFilterings) {
+            Scene scene = shown.scene;
+            scene.surface.filtering = filtering;
+            QVERIFY(renderer->isFilterReady(filtering));
+            QVERIFY2(m_offscreen->draw(*renderer, scene) == m_offscreen->draw(*anew, scene),
+                     nameOf(filtering));
+        }
+    }
+
+    void showsTexelsUntilWhatItNeedsIsThere()
+    {
+        const Shown shown = torus();
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        const std::array<Filtering, 1> plain{Filtering::Texels};
+        prepareFilterings(*renderer, shown.store, plain);
+        Scene scene = shown.scene;
+        const QImage texels = m_offscreen->draw(*renderer, scene);
+        scene.surface.filtering = Filtering::Seamless;
+        QVERIFY(!renderer->isFilterReady(Filtering::Seamless));
+        QVERIFY(m_offscreen->draw(*renderer, scene) == texels);
+        const std::array<Filtering, 1> seamless{Filtering::Seamless};
+        prepareFilterings(*renderer, shown.store, seamless);
+        QVERIFY(m_offscreen->draw(*renderer, scene) != texels);
+        // Given up when nobody wants it any more.
+        renderer->wantFilterings(plain);
+        QVERIFY(!renderer->isFilterReady(Filtering::Seamless));
+        QVERIFY(m_offscreen->draw(*renderer, scene) == texels);
+    }
+
+    void splitShowsTwoWays()
+    {
+        const Shown shown = torus();
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        prepareFilterings(*renderer, shown.store);
+        Scene scene = shown.scene;
+        const QImage left = m_offscreen->draw(*renderer, scene);
+        scene.surface.filtering = Filtering::Seamless;
+        const QImage right = m_offscreen->draw(*renderer, scene);
+        scene.surface.filtering = Filtering::Texels;
+        scene.split = Split{};
+        scene.split->column = kSide / 2;
+        scene.split->otherFiltering = Filtering::Seamless;
+        const QImage both = m_offscreen->draw(*renderer, scene);
+        const QRect half(0, 0, kSide / 2, kSide);
+        QVERIFY(both.copy(half) == left.copy(half));
+        QVERIFY(both.copy(half.translated(kSide / 2, 0)) ==
+                right.copy(half.translated(kSide / 2, 0)));
+        QVERIFY(left != right);
+    }
+
+private:
+    double largestJump(Renderer& renderer, const Shown& shown, Filtering filtering, int moves = 16)
+    {
+        // By so much the picture moves each time: a pixel by an edge is then on its other side.
+        constexpr double kMove = 1.0 / 256;
+        Scene scene = shown.scene;
+        scene.surface.filtering = filtering;
+        const std::size_t faces = shown.surface->mesh().faceCount();
+        const Adjacency& adjacency = shown.surface->adjacency();
+        double largest = 0;
+        m_crossed = 0;
+        std::vector<std::vector<std::uint32_t>> seen;
+        std::vector<DrawnPicture> drawn;
+        for (int k = 0; k < moves; ++k) {
+            seen.push_back(facesSeen(*m_gl, renderer, scene, faces));
+            drawn.push_back(drawNumbers(*m_gl, renderer, scene));
+            scene.camera.pan({kMove, 0.6 * kMove});
+        }
+        for (std::size_t k = 1; k + 2 < seen.size(); ++k) {
+            for (std::uint32_t p = 0; p < seen[k].size(); ++p) {
+                const std::uint32_t from = seen[k][p];
+                const std::uint32_t to = seen[k + 1][p];
+                const bool crosses = from != to && from != 0 && to != 0 && from <= faces &&
+                                     to <= faces && seen[k - 1][p] == from && seen[k + 2][p] == to;
+                const bool neighbours =
+                    crosses && std::ranges::any_of(kLocalEdges, [&](LocalEdge edge) {
+                        const auto across = adjacency.neighbour(faceId(from - 1), edge);
+                        return across && indexOf(across->face) == to - 1;
+                    });
+                if (!neighbours) {
+                    continue; // or one behind the other
+                }
+                ++m_crossed;
+                const auto change = [&](std::size_t move, int c) {
+                    return std::abs(double{drawn[move + 1].pixel(p)[c]} -
+                                    double{drawn[move].pixel(p)[c]});
+                };
+                for (int c = 0; c < 3; ++c) {
+                    // Less what the picture changes by beside the edge.
+                    const double jump = change(k, c) - change(k - 1, c) - change(k + 1, c);
+                    largest = std::max(largest, jump);
+                }
+            }
+        }
+        return largest;
+    }
+
+    std::unique_ptr<Offscreen> m_offscreen;
+    std::unique_ptr<Gl> m_gl;
+    std::optional<Shown> m_torus;
+    std::optional<Shown> m_bunny;
+    int m_crossed = 0;
+};
+
+QTEST_MAIN(TestFiltering)
+#include "tst_filtering.moc"
