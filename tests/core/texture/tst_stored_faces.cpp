@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <set>
 #include <thread>
 
@@ -28,6 +29,7 @@ struct Readings
 {
     std::atomic<int> base = 0;
     std::atomic<int> coarser = 0;
+    bool isSlow = false;
     std::set<std::size_t> fails;
 };
 
@@ -46,6 +48,9 @@ public:
     {
         EXPECT_EQ(texels.size(), level.texelCount() * kTexelBytes);
         ++(level == kBase ? m_readings.base : m_readings.coarser);
+        if (m_readings.isSlow) {
+            std::this_thread::sleep_for(std::chrono::microseconds(300));
+        }
         if (m_readings.fails.contains(indexOf(face))) {
             std::ranges::fill(texels, std::byte{0xEE});
             return contentsError("face " + std::to_string(indexOf(face)) + " is damaged");
@@ -146,6 +151,7 @@ TEST_F(StoredFacesTest, bytesAreReadOnceForAFaceAndItsCopies)
 TEST_F(StoredFacesTest, manyThreadsThatAskAtOnceReadEachFaceOnce)
 {
     constexpr std::uint32_t kFaces = 40;
+    readings.isSlow = true; // so that others come meanwhile
     const TexelStore store = storeOf(kFaces);
     std::array<std::array<const std::byte*, kFaces>, 8> seen{};
     std::atomic<int> wrong = 0;
