@@ -6,6 +6,7 @@
 #include "core/io/ptx_encode.h"
 #include "core/io/ptx_neighbourhood.h"
 #include "core/mesh/shared_progress.h"
+#include "core/texture/pinned_face.h"
 
 #include <algorithm>
 #include <atomic>
@@ -166,7 +167,8 @@ Result<PtxFaces> packPtxFaces(const TexelStore& store,
     std::atomic<bool> damaged = false;
     const auto packChunk = [&](std::size_t k, ChunkPacker& packer) {
         for (std::size_t f = begins[k]; f < begins[k + 1]; ++f) {
-            const FaceTexels face = store.face(faceId(f)).pinned();
+            const PinnedFace pin(store.face(faceId(f)));
+            const FaceTexels& face = *pin;
             faces.infos[f] = infoOf(faceId(f), face.level(), adjacency);
             const auto constant = std::span(faces.constants).subspan(f * texelBytes, texelBytes);
             if (face.isDamaged()) {

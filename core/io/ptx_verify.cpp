@@ -4,6 +4,7 @@
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_metadata.h"
 #include "core/mesh/shared_progress.h"
+#include "core/texture/pinned_face.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,7 +30,8 @@ public:
     /// What is wrong with the face; empty if nothing.
     std::string faultOf(FaceId face)
     {
-        const FaceTexels meant = m_meant.face(face).pinned();
+        const PinnedFace pin(m_meant.face(face));
+        const FaceTexels& meant = *pin;
         if (m_file.info(face).isConstant()) {
             return meant == FaceTexels::constant(meant.level(), m_file.constantValue(face))
                        ? std::string()
