@@ -10,6 +10,14 @@ namespace {
 
 constexpr int kBetweenLooks = 500; ///< milliseconds
 
+/// The sentence with its file named without folders: "/a/b.ptx: why" becomes "b.ptx: why".
+QString withoutFolders(const QString& sentence)
+{
+    const qsizetype end = sentence.indexOf(": ");
+    const qsizetype name = sentence.lastIndexOf('/', end);
+    return end < 0 || name < 0 ? sentence : sentence.mid(name + 1);
+}
+
 } // namespace
 
 StoredFacesWatch::StoredFacesWatch(Document& document)
@@ -53,7 +61,7 @@ void StoredFacesWatch::look()
                                   static_cast<int>(faults.size() - 1))
                                    .arg(face);
     emit damaged(tr("%1; saving is refused until they are filled. %2.")
-                     .arg(what, QString::fromStdString(first.sentence)));
+                     .arg(what, withoutFolders(QString::fromStdString(first.sentence))));
 }
 
 } // namespace trixel::ui
