@@ -47,7 +47,7 @@ void DisplayTexels::reset(const TexelStore& store, int mipDrop, std::uint32_t ma
     m_isOpen = isSame;
     m_form = CardForm::of(store, mipDrop);
     setMost(maxTexels);
-    m_opens = true;
+    opensAnew();
     m_touched.clear();
 }
 
@@ -59,7 +59,7 @@ void DisplayTexels::setMost(std::uint32_t maxTexels)
     m_maxTexels = maxTexels;
     if (m_isOpen && m_blocks.capacity() > std::max<std::size_t>(maxTexels, m_faces.size())) {
         m_isOpen = false; // a smaller buffer
-        m_opens = true;
+        opensAnew();
     }
     m_plans = m_isOpen;
 }
@@ -68,8 +68,16 @@ void DisplayTexels::showChannels(const CardChannels& channels)
 {
     if (channels != m_form.channels) {
         m_form.channels = channels;
-        m_opens = m_opens || m_isOpen;
+        if (m_isOpen || m_opens) {
+            opensAnew();
+        }
     }
+}
+
+void DisplayTexels::opensAnew()
+{
+    m_opens = true;
+    ++m_openingNumber;
 }
 
 void DisplayTexels::open(const CardOpening& opening)

@@ -55,6 +55,14 @@ struct JobBatch
 class DisplayTexels
 {
 public:
+    DisplayTexels() = default;
+    /// \param generation  jobs of another display that this one takes the place of must have a
+    ///                    number at least 2^16 away
+    explicit DisplayTexels(std::uint32_t generation)
+        : m_generation(generation)
+    {
+    }
+
     /// Shows a store from now on, with its usual channels. What is on the card stays until it is
     /// replaced where there are as many faces of the same type.
     /// \param mipDrop    show every face this many levels coarser (>= 0)
@@ -68,7 +76,7 @@ public:
     void touch(const TexelStore& store, std::span<const TouchedRect> rects);
 
     /// Notes that every texel may have changed. What is on the card stays until it is replaced.
-    void touchAll() { m_opens = true; }
+    void touchAll() { opensAnew(); }
 
     /// Sends other channels from now on, and all texels anew where they are others.
     void showChannels(const CardChannels& channels);
@@ -85,6 +93,8 @@ public:
     /// Whether everything is to be opened anew (`openCard` with `form`), which comes before all.
     bool needsOpening() const { return m_opens; }
     const CardForm& form() const { return m_form; }
+    /// Which need of an opening it is: what was read before the latest is not what there is now.
+    std::uint32_t openingNumber() const { return m_openingNumber; }
     void open(const CardOpening& opening);
     /// Whether a plan is needed: not all is as the last one took it to be.
     bool needsPlan() const { return m_plans; }
@@ -139,6 +149,7 @@ private:
     static constexpr std::uint8_t kTouchedInFlight = 0x80;
 
     // display_texels.cpp
+    void opensAnew();
     void openFresh(const CardOpening& opening);
     void openAgain(const CardOpening& opening);
     void planEverything();
@@ -168,6 +179,7 @@ private:
     CardForm m_form;
     std::uint32_t m_maxTexels = 0;
     bool m_opens = false;
+    std::uint32_t m_openingNumber = 0;
     bool m_isOpen = false;
     bool m_fresh = false;
     CardBlocks m_blocks;
@@ -183,7 +195,7 @@ private:
     std::vector<std::uint8_t> m_inFlight; ///< jobs given out of each face, and a flag
     std::int64_t m_elementsInFlight = 0;
     std::uint32_t m_generation = 0; ///< of buffers; jobs for one before are forgotten
-    std::vector<bool> m_noMean; ///< faces whose base is not their mean
+    std::vector<bool> m_noMean;     ///< faces whose base is not their mean
     std::size_t m_noMeanCount = 0;
     std::size_t m_nextMean = 0;
 

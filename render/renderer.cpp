@@ -84,7 +84,7 @@ void Renderer::clear()
     m_hasOtherTexels = false;
     m_filterMesh.reset();
     for (Layer& layer : m_layers) {
-        layer.display = {};
+        forgetDisplay(layer);
         layer.card.clear(0);
         clearFilters(layer);
     }
@@ -102,6 +102,11 @@ void Renderer::setTexels(const TexelStore& store, int mipDrop, Side side)
     clearFilters(layer(side));
     applyLook();
     shareBudget();
+}
+
+void Renderer::forgetDisplay(Layer& layer)
+{
+    layer.display = DisplayTexels(++m_displays << 16U);
 }
 
 void Renderer::setCardBudget(std::uint64_t bytes)
@@ -131,7 +136,7 @@ void Renderer::shareBudget()
 
 void Renderer::clearOtherTexels()
 {
-    layer(Side::B).display = {};
+    forgetDisplay(layer(Side::B));
     layer(Side::B).card.clear(m_faceCount);
     m_hasOtherTexels = false;
     shareBudget();

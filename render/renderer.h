@@ -131,6 +131,7 @@ private:
     void applyLook();
     std::uint32_t mostTexels(std::size_t bytesEach) const;
     void shareBudget();
+    void forgetDisplay(Layer& layer);
     std::size_t send(Layer& layer, const DisplayUpdate& update);
     static void clearFilters(Layer& layer);
 
@@ -150,6 +151,7 @@ private:
     bool m_hasOtherTexels = false;
     std::shared_ptr<const FilterMesh> m_filterMesh;
     std::array<bool, 3> m_wanted{}; ///< by `FilterSource`
+    std::uint32_t m_displays = 0; ///< made so far
     FrameTimer m_timer;
     FrameFigures m_figures;
 };

@@ -98,6 +98,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
+    connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
     d->watchInspection();
     d->makeCanvas();
     d->splitBar = new SplitBar(settings, this);
@@ -220,6 +221,7 @@ bool Viewport::canDraw() const
 
 QImage Viewport::grabFramebuffer()
 {
+    settle();
     return canDraw() ? d->canvas->grabFramebuffer() : QImage();
 }
 
@@ -231,7 +233,7 @@ void Viewport::settle()
     }
     d->canvas->makeCurrent();
     d->sendMesh();
-    d->sendTexels(0);
+    d->finishTexels();
     d->canvas->doneCurrent();
     d->redraw();
 }

@@ -9,6 +9,7 @@
 #include "ui/document/face_selection.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/canvas.h"
+#include "ui/viewport/card_streaming.h"
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
@@ -72,7 +73,8 @@ public:
     void fitCamera();
     void sendMesh();
     void sendTexels(double milliseconds);
-    bool sendTexels(const TexelStore& store, render::Side side, double milliseconds);
+    void finishTexels();
+    void prepareTexels();
     void normalsReady();
     void waitForNormals();
     render::Scene scene() const;
@@ -133,6 +135,7 @@ public:
     std::unique_ptr<render::Renderer> renderer;
     bool meshDirty = true;
     bool texelsDirty = true;
+    CardStreaming streaming;
     std::shared_ptr<const Surface> shownSurface;
     ViewOptions shownView;
     QFutureWatcher<std::vector<std::uint32_t>> normalsWatcher;

@@ -19,8 +19,6 @@ Q_LOGGING_CATEGORY(lcViewport, "ui.viewport", QtInfoMsg)
 
 /// Part of a frame that may go into sending texels.
 constexpr double kUploadMs = 4.0;
-/// Texels converted and sent at a time; between two the clock is looked at.
-constexpr std::size_t kSliceBytes = 512U << 10U;
 
 } // namespace
 
@@ -34,6 +32,7 @@ void Viewport::Private::takeSurface()
     texelsDirty = true;
     normals.clear();
     shownSurface = document.surface();
+    streaming.setSurface(shownSurface);
     setOtherTexels(std::nullopt);
     faceColors.clear();
     texelsBefore = document.texels();
@@ -56,6 +55,7 @@ void Viewport::Private::takeSurface()
 void Viewport::Private::takeChange(const Change& change)
 {
     shownTexels.forget();
+    streaming.texelsChanged();
     if (otherTexels) {
         setOtherTexels(std::nullopt);
     } else if (renderer && !texelsDirty) {
@@ -86,6 +86,7 @@ void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
     }
     otherTexels = std::move(others);
     shownTexels.forget();
+    streaming.texelsChanged();
     otherSideDirty = true;
     if (renderer && !texelsDirty) {
         renderer->touchAllTexels();
@@ -193,6 +194,7 @@ void Viewport::Private::sendMesh()
     }
     texelsDirty = true;
     otherSideDirty = true;
+    streaming.forget();
     faceColorsDirty = !faceColors.empty();
     if (!shownSurface) {
         renderer->clear();
@@ -208,27 +210,28 @@ void Viewport::Private::sendMesh()
     }
 }
 
-/// Texels that are not on the card yet, for so long; the frames to come send the rest.
+/// Which texels are shown at all.
+void Viewport::Private::prepareTexels()
+{
+    renderer->setCardBudget(static_cast<std::uint64_t>(shownView.cardBudget) << 20U);
+    if (std::exchange(texelsDirty, false)) {
+        renderer->setTexels(texels(), shownView.mipDrop);
+    }
+    prepareOtherSide();
+}
+
+/// Texels that are ready, for so long; the frames to come send the rest.
 void Viewport::Private::sendTexels(double milliseconds)
 {
     if (!shownSurface) {
         return;
     }
-    if (texelsDirty) {
-        texelsDirty = false;
-        renderer->setTexels(texels(), shownView.mipDrop);
-        if (renderer->texels().isReduced()) {
-            emit q.notice(
-                tr("The graphics card has no room for all texels: they are shown %n level(s) "
-                   "coarser.",
-                   nullptr,
-                   renderer->texels().levelsDropped()));
-        }
-    }
-    prepareOtherSide();
-    bool hasMore = sendTexels(texels(), render::Side::A, milliseconds);
+    prepareTexels();
+    bool hasMore = streaming.send(*renderer, camera, texels(), render::Side::A, milliseconds);
     if (hasOtherTexels()) {
-        hasMore = sendTexels(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
+        const bool hasOthers =
+            streaming.send(*renderer, camera, otherSideTexels(), render::Side::B, milliseconds);
+        hasMore = hasMore || hasOthers;
     }
     if (hasMore) {
         QMetaObject::invokeMethod(
@@ -236,17 +239,17 @@ void Viewport::Private::sendTexels(double milliseconds)
     }
 }
 
-/// Whether there is more to send after so long.
-bool Viewport::Private::sendTexels(const TexelStore& store, render::Side side, double milliseconds)
+/// All that the view needs, however long it takes.
+void Viewport::Private::finishTexels()
 {
-    QElapsedTimer clock;
-    clock.start();
-    const auto limit = static_cast<qint64>(milliseconds * 1e6);
-    const render::DisplayTexels& shown = renderer->texels(side);
-    while (shown.hasWork() && (milliseconds <= 0 || clock.nsecsElapsed() < limit)) {
-        renderer->uploadTexels(store, kSliceBytes, side);
+    if (!shownSurface) {
+        return;
     }
-    return shown.hasWork();
+    prepareTexels();
+    streaming.finish(*renderer, camera, texels(), render::Side::A);
+    if (hasOtherTexels()) {
+        streaming.finish(*renderer, camera, otherSideTexels(), render::Side::B);
+    }
 }
 
 void Viewport::Private::normalsReady()
