@@ -18,15 +18,29 @@ namespace {
 
 constexpr std::size_t kGrain = 1U << 12U;
 
-/// The texel in the middle of a face; the mean of one that still lies in its file.
+/// The texel in the middle of a face in memory.
 std::span<const std::byte> middleTexel(const FaceTexels& face)
 {
-    if (face.isStored()) {
-        return *face.mean();
-    }
     const TexelCoord coarse = texelAt(Level(), TexelIndex{});
     const TexelCoord middle = texelAt(face.level(), centroid(Level(), coarse));
     return face.texel(indexOf(texelIndex(face.level(), middle)));
+}
+
+/// The face in memory, or the coarsest of the levels that its file keeps that will do: not to stay
+/// in memory for having been looked at once.
+FaceTexels readAt(const CardForm& form, const FaceTexels& face, Level level)
+{
+    if (face.isStored() && !face.isLoaded() && level < face.level() && form.mipDrop == 0) {
+        if (const auto mean = face.mean(); mean && level == Level()) {
+            return FaceTexels::constant(level, *mean);
+        }
+        for (int k = level.log2(); k < face.level().log2(); ++k) {
+            if (auto kept = face.storedLevel(Level(k))) {
+                return std::move(*kept);
+            }
+        }
+    }
+    return face.pinned();
 }
 
 /// Level by level in two buffers by turns.
@@ -44,12 +58,8 @@ public:
         if (face.isConstant()) {
             return face.bytes();
         }
-        if (face.isStored() && level == Level()) {
-            return *face.mean();
-        }
-        m_from = fineEnough(face, level);
-        std::span<const std::byte> fine = m_from.bytes();
-        for (int k = m_from.level().log2(); k > level.log2(); --k) {
+        std::span<const std::byte> fine = face.bytes();
+        for (int k = face.level().log2(); k > level.log2(); --k) {
             std::vector<std::byte>& coarse = m_buffers[static_cast<std::size_t>(k % 2)];
             coarse.resize(m_format.texelBytes() * Level(k - 1).texelCount());
             reduceTexels(m_format, Level(k), fine, coarse);
@@ -59,19 +69,7 @@ public:
     }
 
 private:
-    /// The face, or of one that lies in a file the coarsest level there that will do.
-    static FaceTexels fineEnough(const FaceTexels& face, Level level)
-    {
-        for (int k = level.log2(); k < face.level().log2() && !face.isLoaded(); ++k) {
-            if (auto coarse = face.storedLevel(Level(k))) {
-                return std::move(*coarse);
-            }
-        }
-        return face.pinned();
-    }
-
     const TexelFormat& m_format;
-    FaceTexels m_from;
     std::array<std::vector<std::byte>, 2> m_buffers;
 };
 
@@ -86,7 +84,6 @@ CardOpening openCard(const TexelStore& store, const CardForm& form, bool exact, 
 {
     CardOpening opening;
     opening.form = form;
-    opening.exact = exact;
     opening.faces.resize(store.faceCount());
     opening.bases.resize(store.faceCount() * form.elementBytes());
     parallelFor(store.faceCount(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
@@ -94,12 +91,13 @@ CardOpening openCard(const TexelStore& store, const CardForm& form, bool exact, 
         std::vector<std::byte> shown;
         for (std::size_t f = begin; f < end; ++f) {
             const FaceTexels& face = store.face(faceId(f));
-            const std::uint8_t constant = face.isConstant() ? CardOpening::kConstant : 0;
-            opening.faces[f] = static_cast<std::uint8_t>(form.shownLevel(face).log2() | constant);
-            appendShown(form.format,
-                        form.channels,
-                        exact ? reduction(face, Level()) : middleTexel(face),
-                        shown);
+            const auto mean = face.mean();
+            const bool isMean = mean || exact || face.level() == Level();
+            opening.faces[f] = static_cast<std::uint8_t>(
+                form.shownLevel(face).log2() | (face.isConstant() ? CardOpening::kConstant : 0) |
+                (isMean ? CardOpening::kMean : 0));
+            const auto base = mean ? *mean : exact ? reduction(face, Level()) : middleTexel(face);
+            appendShown(form.format, form.channels, base, shown);
         }
         std::memcpy(opening.bases.data() + begin * form.elementBytes(), shown.data(), shown.size());
     });
@@ -118,7 +116,8 @@ MadeBlocks makeBlocks(const TexelStore& store, const CardForm& form, std::span<c
         const bool isPossible =
             job.level == 0 || (!face.isConstant() && job.level <= face.level().log2());
         if (isPossible) {
-            appendShown(form.format, form.channels, reduction(face, Level(job.level)), made.bytes);
+            const FaceTexels read = readAt(form, face, Level(job.level));
+            appendShown(form.format, form.channels, reduction(read, Level(job.level)), made.bytes);
         }
         made.ends.push_back(made.bytes.size());
     }

@@ -34,15 +34,17 @@ struct CardForm
 struct CardOpening
 {
     static constexpr std::uint8_t kConstant = 0x80;
+    static constexpr std::uint8_t kMean = 0x40; ///< the base is the face's mean
 
     CardForm form;
-    std::vector<std::uint8_t> faces; ///< level to be shown at most, and `kConstant`
+    std::vector<std::uint8_t> faces; ///< level to be shown at most, and flags
     std::vector<std::byte> bases;    ///< an element a face
-    bool exact = false;              ///< whether the bases are means, not single texels
+
+    static int level(std::uint8_t face) { return face & 0x3f; }
 };
 
-/// \param exact  whether to read every texel for means; else a texel from the middle stands for
-///               them, until jobs of level 0 bring means
+/// \param exact  whether to read every texel for means; else, but where a file keeps them, a texel
+///               from the middle stands for them, until jobs of level 0 bring means
 CardOpening openCard(const TexelStore& store, const CardForm& form, bool exact, Threads threads);
 
 /// Blocks made for jobs, one after the other.
@@ -54,7 +56,8 @@ struct MadeBlocks
 };
 
 /// Texels at the level of each job, at level 0 their mean. A face that is coarser by now, or
-/// constant, cannot be done at a finer level.
+/// constant, cannot be done at a finer level. Of faces still in their file coarser levels are those
+/// that the file keeps, unless levels are dropped on purpose.
 MadeBlocks
 makeBlocks(const TexelStore& store, const CardForm& form, std::span<const BlockJob> jobs);
 

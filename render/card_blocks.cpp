@@ -265,7 +265,7 @@ void CardBlocks::compact(Class& c, std::size_t& most)
 std::uint32_t CardBlocks::takePages(std::uint32_t order)
 {
     std::uint32_t first = findPages(order);
-    if (first == kNone) {
+    if (first == kNone && m_freePages < 1U << order) {
         compact();
         first = findPages(order);
     }

@@ -15,9 +15,10 @@ constexpr std::uint32_t kFewTexels = 1U << 14U;
 
 } // namespace
 
-bool DisplayTexels::hasJobs() const
+bool DisplayTexels::hasJobs(bool means) const
 {
-    return !m_opens && (!m_again.empty() || m_nextMake < m_plan.make.size() || m_noMeanCount > 0);
+    return !m_opens && (!m_again.empty() || m_nextMake < m_plan.make.size() ||
+                        (means && m_nextMean < m_means.size()));
 }
 
 /// Whether the block would be better than what is shown.
@@ -75,36 +76,35 @@ bool DisplayTexels::addJob(const BlockJob& job, JobBatch& batch)
     return true;
 }
 
-/// Means of faces that have none yet. \return  whether there was one
-bool DisplayTexels::addMeans(std::size_t bytes, JobBatch& batch)
+/// Means of faces that have none yet.
+void DisplayTexels::addMeans(std::size_t bytes, JobBatch& batch)
 {
-    bool found = false;
     const std::size_t most = bytes / m_form.elementBytes();
-    for (; m_noMeanCount > 0 && m_nextMean < m_noMean.size() && batch.jobs.size() < most;
-         ++m_nextMean) {
-        if (m_noMean[m_nextMean]) {
-            m_noMean[m_nextMean] = false;
-            --m_noMeanCount;
-            found = addJob({faceId(m_nextMean), 0}, batch);
-        }
+    for (; m_nextMean < m_means.size() && batch.jobs.size() < most; ++m_nextMean) {
+        const FaceId face = m_means[m_nextMean];
+        m_noMean[indexOf(face)] = false;
+        (void)addJob({face, 0}, batch); // needs no room
     }
-    if (m_nextMean == m_noMean.size()) {
+    if (m_nextMean == m_means.size()) {
+        m_means.clear();
         m_nextMean = 0;
     }
-    return found;
 }
 
-JobBatch DisplayTexels::nextJobs(std::size_t bytes)
+JobBatch DisplayTexels::nextJobs(std::size_t bytes, bool means)
 {
     JobBatch batch;
     batch.generation = m_generation;
     if (m_opens || !m_isOpen) {
         return batch;
     }
-    constexpr std::size_t kMostJobs = 4096; // so that no batch takes long to take over
+    constexpr std::size_t kMostJobs = 2048; // so that no batch takes long to take over
+    constexpr std::size_t kMostLooks = 1U << 16U;
     std::size_t made = 0;
+    std::size_t looks = 0; // most of a plan may have become needless
     const auto wantsMore = [&] {
-        return batch.jobs.empty() || (made < bytes && batch.jobs.size() < kMostJobs);
+        return (batch.jobs.empty() || (made < bytes && batch.jobs.size() < kMostJobs)) &&
+               looks++ < kMostLooks;
     };
     const auto tryJob = [&](const BlockJob& job) {
         if (isUseful(job)) {
@@ -131,8 +131,8 @@ JobBatch DisplayTexels::nextJobs(std::size_t bytes)
         }
         ++m_nextMake;
     }
-    if (wantsMore()) {
-        (void)addMeans(std::max<std::size_t>(bytes, m_form.elementBytes()), batch);
+    if (means && wantsMore()) {
+        addMeans(std::max<std::size_t>(bytes, m_form.elementBytes()), batch);
     }
     m_elementsInFlight += batch.elements;
     return batch;
@@ -187,7 +187,7 @@ bool DisplayTexels::placeBlock(const BlockJob& job)
     if (job.level > face.own || !(isWrong || isFiner || isSpare)) {
         return false;
     }
-    if (m_blocks.resize(job.face, Level(job.level))) {
+    if (resize(job.face, job.level)) {
         face.shown = job.level;
         return true;
     }
@@ -196,6 +196,19 @@ bool DisplayTexels::placeBlock(const BlockJob& job)
         face.shown = 0;
     }
     return false;
+}
+
+/// A block that found no room is not looked for again before something may have changed: each time
+/// all that there is would be searched.
+bool DisplayTexels::resize(FaceId face, int level)
+{
+    const std::uint32_t bit = 1U << static_cast<unsigned>(level);
+    if ((m_noRoom & bit) != 0) {
+        return false;
+    }
+    const bool hasRoom = m_blocks.resize(face, Level(level));
+    m_noRoom |= hasRoom ? 0 : bit;
+    return hasRoom;
 }
 
 } // namespace trixel::render

@@ -95,10 +95,10 @@ void DisplayTexels::open(const CardOpening& opening)
     m_bytes.assign(opening.bases.begin(), opening.bases.end());
     m_sendBases = true;
     m_noMean.assign(m_faces.size(), false);
-    m_noMeanCount = 0;
+    m_means.clear();
     m_nextMean = 0;
-    for (std::size_t f = 0; f < m_faces.size() && !opening.exact; ++f) {
-        if ((opening.faces[f] & CardOpening::kConstant) == 0) {
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+        if ((opening.faces[f] & CardOpening::kMean) == 0) {
             meanLater(faceId(f));
         }
     }
@@ -111,7 +111,7 @@ void DisplayTexels::openFresh(const CardOpening& opening)
     m_faces.resize(count);
     for (std::size_t f = 0; f < count; ++f) {
         const bool isConstant = (opening.faces[f] & CardOpening::kConstant) != 0;
-        texels += isConstant ? 0 : Level(opening.faces[f]).texelCount();
+        texels += isConstant ? 0 : Level(CardOpening::level(opening.faces[f])).texelCount();
     }
     const std::uint64_t spare = std::max(texels / 4, kLeastSpare);
     const std::uint64_t room = count + std::min(texels, kUsualTexels) + spare;
@@ -122,7 +122,7 @@ void DisplayTexels::openFresh(const CardOpening& opening)
     for (std::size_t f = 0; f < count; ++f) {
         m_faces[f] = {};
         show(faceId(f),
-             opening.faces[f] & ~CardOpening::kConstant,
+             CardOpening::level(opening.faces[f]),
              (opening.faces[f] & CardOpening::kConstant) != 0);
     }
     (void)m_blocks.takeChanged(); // all records are sent
@@ -146,7 +146,7 @@ void DisplayTexels::openAgain(const CardOpening& opening)
         } else if (m_faces[f].level() > 0) {
             m_faces[f].shown |= FaceOnCard::kStale;
         }
-        show(faceId(f), opening.faces[f] & ~CardOpening::kConstant, isConstant);
+        show(faceId(f), CardOpening::level(opening.faces[f]), isConstant);
         if (m_inFlight[f] != 0) {
             m_inFlight[f] |= kTouchedInFlight; // of what was before
         }
@@ -264,6 +264,7 @@ DisplayUpdate DisplayTexels::gathered()
 {
     DisplayUpdate update;
     m_blocks.compact(kMovesAtOnce);
+    m_noRoom = 0;
     update.fresh = std::exchange(m_fresh, false);
     update.capacity = m_blocks.capacity();
     update.moves = m_blocks.takeMoves();

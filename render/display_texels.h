@@ -105,7 +105,8 @@ public:
     void follow(ResidencyPlan plan);
     /// What to make next, up to so many bytes but at least one; none when there is nothing or no
     /// room.
-    JobBatch nextJobs(std::size_t bytes);
+    /// \param means  whether means may be among it that nothing waits for
+    JobBatch nextJobs(std::size_t bytes, bool means = true);
     /// Takes blocks over, made from a snapshot taken after the jobs were given out.
     /// \param store  as it is now
     void accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store);
@@ -114,7 +115,7 @@ public:
     DisplayUpdate takeReady(const TexelStore& store, std::size_t mostRead);
     bool hasReady() const;
     /// Whether jobs could be given out now.
-    bool hasJobs() const;
+    bool hasJobs(bool means = true) const;
 
     DisplayFormat format() const { return displayFormat(m_form.format.type); }
     std::span<const FaceRecord> records() const { return m_blocks.records(); }
@@ -160,7 +161,8 @@ private:
     bool isUseful(const BlockJob& job) const;
     bool makeSpare(JobBatch& batch);
     bool addJob(const BlockJob& job, JobBatch& batch);
-    bool addMeans(std::size_t bytes, JobBatch& batch);
+    void addMeans(std::size_t bytes, JobBatch& batch);
+    bool resize(FaceId face, int level);
     bool placeBlock(const BlockJob& job);
     void acceptBlock(const BlockJob& job, std::span<const std::byte> bytes);
 
@@ -196,8 +198,9 @@ private:
     std::int64_t m_elementsInFlight = 0;
     std::uint32_t m_generation = 0; ///< of buffers; jobs for one before are forgotten
     std::vector<bool> m_noMean;     ///< faces whose base is not their mean
-    std::size_t m_noMeanCount = 0;
+    std::vector<FaceId> m_means;    ///< the same, from m_nextMean on
     std::size_t m_nextMean = 0;
+    std::uint32_t m_noRoom = 0; ///< a bit a level that found none; until the next update
 
     std::unordered_map<std::uint32_t, Rect> m_touched;
     bool m_sendBases = false;

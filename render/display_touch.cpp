@@ -113,10 +113,11 @@ std::size_t DisplayTexels::sendWhole(const FaceTexels& texels, FaceId face)
         }
         return sendMean(texels, face);
     }
-    bool hasRoom = m_blocks.resize(face, Level(level));
-    if (!hasRoom) {
+    bool hasRoom = resize(face, level);
+    if (!hasRoom && m_blocks.capacity() < m_maxTexels) {
         makeRoomFor(m_room.elements + m_room.perBlock[static_cast<std::size_t>(level)]);
-        hasRoom = m_blocks.resize(face, Level(level));
+        m_noRoom = 0;
+        hasRoom = resize(face, level);
     }
     if (!hasRoom) {
         m_blocks.release(face);
@@ -210,7 +211,7 @@ void DisplayTexels::meanLater(FaceId face)
 {
     if (!m_noMean[indexOf(face)]) {
         m_noMean[indexOf(face)] = true;
-        ++m_noMeanCount;
+        m_means.push_back(face);
     }
 }
 

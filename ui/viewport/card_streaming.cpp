@@ -19,6 +19,10 @@ constexpr std::size_t kBatches = 16;
 /// Texels read in a frame for what was touched.
 constexpr std::size_t kMostRead = 1U << 20U;
 
+/// Means of what is painted wait until nothing changed for so long: while a snapshot is being read
+/// painting has to copy what it shares with it.
+constexpr int kPauseMs = 150;
+
 constexpr int kSoon = 1; // before blocks
 constexpr int kUsual = 0;
 
@@ -35,6 +39,9 @@ CardStreaming::CardStreaming(QObject* parent)
     const int cores = QThread::idealThreadCount();
     m_pool.setMaxThreadCount(std::clamp(cores - 1, 1, 4));
     m_pool.setThreadPriority(QThread::LowPriority);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPauseMs);
+    connect(&m_pause, &QTimer::timeout, this, &CardStreaming::ready);
 }
 
 CardStreaming::~CardStreaming()
@@ -80,6 +87,7 @@ void CardStreaming::texelsChanged()
     for (Lane& lane : m_lanes) {
         lane.snapshot = nullptr;
     }
+    m_pause.start();
 }
 
 bool CardStreaming::isBusy() const
@@ -120,7 +128,7 @@ bool CardStreaming::send(render::Renderer& renderer,
         renderer.sendReady(store, kMostRead, side);
     }
     plan(lane, display, camera); // blocks may have found no room
-    giveOut(lane, display, store);
+    giveOut(lane, display, store, !m_pause.isActive());
     const bool isNextReady = !lane.batches.empty() && lane.batches.front().made->isDone;
     return isNextReady || (display.hasReady() && !display.needsOpening());
 }
@@ -174,10 +182,13 @@ void CardStreaming::plan(Lane& lane, render::DisplayTexels& display, const rende
         });
 }
 
-void CardStreaming::giveOut(Lane& lane, render::DisplayTexels& display, const TexelStore& store)
+void CardStreaming::giveOut(Lane& lane,
+                            render::DisplayTexels& display,
+                            const TexelStore& store,
+                            bool means)
 {
-    while (lane.batches.size() < kBatches && display.hasJobs()) {
-        render::JobBatch jobs = display.nextJobs(kBatchBytes);
+    while (lane.batches.size() < kBatches && display.hasJobs(means)) {
+        render::JobBatch jobs = display.nextJobs(kBatchBytes, means);
         if (jobs.jobs.empty()) {
             break;
         }
@@ -199,6 +210,7 @@ void CardStreaming::finish(render::Renderer& renderer,
 {
     const Lane& lane = m_lanes[static_cast<std::size_t>(side)];
     const render::DisplayTexels& display = renderer.display(side);
+    m_pause.stop();
     bool hasMore = true;
     while (hasMore) {
         m_pool.waitForDone();

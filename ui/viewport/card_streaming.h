@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 
 #include "core/mesh/surface.h"
 #include "render/renderer.h"
@@ -82,10 +83,11 @@ private:
     TaskPtr<T> start(int priority, Work work);
     void open(Lane& lane, render::DisplayTexels& display, const TexelStore& store);
     void plan(Lane& lane, render::DisplayTexels& display, const render::Camera& camera);
-    void giveOut(Lane& lane, render::DisplayTexels& display, const TexelStore& store);
+    void giveOut(Lane& lane, render::DisplayTexels& display, const TexelStore& store, bool means);
     const std::shared_ptr<const TexelStore>& snapshotOf(Lane& lane, const TexelStore& store);
 
     std::array<Lane, 2> m_lanes;
+    QTimer m_pause; ///< runs while texels change
     std::shared_ptr<const Surface> m_surface;
     TaskPtr<render::FaceExtents> m_extents;
     QThreadPool m_pool; ///< the last: waits for its threads before anything else goes

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window's thread while texels stream: its part of a frame while the camera orbits, from a
+// stroke's sample to the card, and the plan that other threads make. Needs a display with OpenGL;
+// see README.md for how to run it.
+#include <QGuiApplication>
+#include <QThread>
+
+#include "core/io/project.h"
+#include "tests/bench/sheet_mesh.h"
+#include "tests/render/offscreen.h"
+#include "ui/document/document.h"
+#include "ui/viewport/card_streaming.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <map>
+#include <random>
+
+using namespace trixel;
+using namespace trixel::ui;
+
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 800;
+constexpr double kUploadMs = 4.0; // as the view has it
+
+/// A wavy sheet of 2 n² faces, every texel of them noise.
+const Project& sheet(int n, int level)
+{
+    static std::map<int, Project> sheets;
+    Project& project = sheets[n];
+    if (project.surface) {
+        return project;
+    }
+    TriangleMesh mesh = sheetMesh(n);
+    NoProgress progress;
+    std::mt19937 random(1);
+    project.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
+                                TexelFormat{},
+                                Level(level),
+                                std::vector<std::byte>(3));
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        for (std::byte& b : project.texels.writable(faceId(f))) {
+            b = static_cast<std::byte>(random());
+        }
+    }
+    project.surface = Surface::build(std::move(mesh), progress).value();
+    return project;
+}
+
+double threadMs()
+{
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+/// Milliseconds of the thread, told as mean, 99th percentile and most.
+class Times
+{
+public:
+    template <class Work>
+    void take(benchmark::State& state, Work work)
+    {
+        const double before = threadMs();
+        work();
+        m_ms.push_back(threadMs() - before);
+        state.SetIterationTime(m_ms.back() / 1e3);
+    }
+
+    void tell(benchmark::State& state)
+    {
+        std::ranges::sort(m_ms);
+        const std::size_t place = (m_ms.size() * 99 + 99) / 100 - 1;
+        state.counters["p99_ms"] = m_ms[place];
+        state.counters["most_ms"] = m_ms.back();
+    }
+
+private:
+    std::vector<double> m_ms;
+};
+
+/// A renderer that shows a project, and the streaming that feeds it.
+struct View
+{
+    View(const Project& project, int width, int height)
+        : offscreen(width, height)
+        , renderer(std::move(*render::Renderer::create()))
+    {
+        scene.camera.setViewport(width, height);
+        scene.camera.setScene(project.surface->low(), project.surface->high());
+        scene.camera.frame(project.surface->low(), project.surface->high());
+        offscreen.bind();
+        (void)renderer->setMesh(project.surface->mesh());
+        renderer->setTexels(project.texels, 0);
+        streaming.setSurface(project.surface);
+    }
+
+    bool send(const TexelStore& texels, double ms = kUploadMs)
+    {
+        return streaming.send(*renderer, scene.camera, texels, render::Side::A, ms);
+    }
+
+    render::Offscreen offscreen;
+    std::unique_ptr<render::Renderer> renderer;
+    render::Scene scene;
+    CardStreaming streaming;
+};
+
+/// Close over a million faces of 64 texels: faces come into view and go with every frame.
+void orbit(benchmark::State& state)
+{
+    const Project& project = sheet(static_cast<int>(state.range(0)), 3);
+    View view(project, kWidth, kHeight);
+    view.renderer->setCardBudget(static_cast<std::uint64_t>(state.range(1)) << 20U);
+    view.streaming.finish(*view.renderer, view.scene.camera, project.texels, render::Side::A);
+    view.scene.camera.zoom(0.15);
+    Times times;
+    std::uint64_t most = 0;
+    std::size_t changes = 0;
+    int frame = 0;
+    for (auto _ : state) {
+        view.scene.camera.orbit({6, frame % 40 < 20 ? 2.0 : -2.0});
+        view.scene.camera.pan({8, 3});
+        ++frame;
+        times.take(state, [&] { view.send(project.texels); });
+        view.offscreen.drawOnly(*view.renderer, view.scene);
+        most = std::max(most, view.renderer->figures().residentBytes);
+        changes += view.streaming.isBusy() ? 1 : 0;
+    }
+    times.tell(state);
+    state.counters["most_MiB"] = static_cast<double>(most) / (1U << 20U);
+    state.counters["busy"] = static_cast<double>(changes) / frame;
+}
+BENCHMARK(orbit)
+    ->ArgNames({"side", "MiB"})
+    ->Args({71, 512})
+    ->Args({707, 512})
+    ->Args({707, 24})
+    ->Iterations(100)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// From a sample of the pointer to its texels on the card: ray, dabs, document, what is sent.
+/// Drawing the frame is left out: here it is the processor's work too.
+void stroke(benchmark::State& state)
+{
+    const int side = static_cast<int>(state.range(0));
+    Document document;
+    document.open(sheet(side, 3), {}, {});
+    View view({document.surface(), document.texels(), {}}, 640, 400);
+    QObject::connect(&document, &Document::changed, [&](const Change& change) {
+        view.streaming.texelsChanged();
+        view.renderer->touchTexels(document.texels(), change.rects);
+    });
+    // As many faces on the screen whatever the mesh: about thirty across.
+    view.scene.camera.zoom(30.0 / side);
+    view.streaming.finish(*view.renderer, view.scene.camera, document.texels(), render::Side::A);
+    Brush brush;
+    brush.radius = 3.0F / static_cast<float>(side);
+    brush.color = {0.9F, 0.3F, 0.2F, 1};
+    document.beginStroke(brush);
+    Times times;
+    double angle = 0;
+    for (auto _ : state) {
+        angle += 0.05;
+        const glm::dvec2 at(320 + 150 * std::cos(angle), 200 + 120 * std::sin(1.3 * angle));
+        times.take(state, [&] {
+            const PixelRay ray = view.scene.camera.pixelRay(at);
+            const auto hit = document.surface()->bvh().raycast(
+                {glm::vec3(ray.origin), glm::vec3(ray.direction)});
+            if (hit) {
+                document.extendStroke({hit->face, hit->uv, 1, angle});
+            }
+            view.send(document.texels());
+        });
+        if (state.range(1) != 0) {
+            view.offscreen.drawOnly(*view.renderer, view.scene);
+        }
+        QCoreApplication::processEvents();
+    }
+    document.endStroke();
+    times.tell(state);
+}
+BENCHMARK(stroke)
+    ->ArgNames({"side", "draws"})
+    ->Args({71, 0})
+    ->Args({707, 0})
+    ->Args({71, 1})
+    ->Args({707, 1})
+    ->Iterations(300)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// What other threads do for each view, on one core.
+void plan(benchmark::State& state)
+{
+    const Project& project = sheet(707, 3);
+    const auto extents = render::FaceExtents::of(project.surface->mesh(), Threads{1});
+    std::vector<render::Wish> wishes(extents.size());
+    const std::vector<render::FaceOnCard> faces(extents.size(), render::FaceOnCard{3, 1});
+    const auto room = render::CardRoom::of(
+        render::CardBlocks(render::BlockKind::Texels, extents.size(), 1U << 27U), 1U << 26U);
+    render::Camera camera;
+    camera.setViewport(kWidth, kHeight);
+    camera.setScene(project.surface->low(), project.surface->high());
+    camera.frame(project.surface->low(), project.surface->high());
+    for (auto _ : state) {
+        render::wishesOf(extents, camera, Threads{1}, wishes);
+        if (state.range(0) != 0) {
+            benchmark::DoNotOptimize(render::planResidency(wishes, faces, room));
+        }
+    }
+}
+BENCHMARK(plan)->ArgName("whole")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const QGuiApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
