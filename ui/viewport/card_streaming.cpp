@@ -4,6 +4,8 @@
 #include <QElapsedTimer>
 #include <QMetaObject>
 
+#include "render/renderer.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>

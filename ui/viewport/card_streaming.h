@@ -6,13 +6,19 @@
 #include <QTimer>
 
 #include "core/mesh/surface.h"
-#include "render/renderer.h"
+#include "render/camera.h"
+#include "render/display_texels.h"
+#include "render/split.h"
 
 #include <array>
 #include <atomic>
 #include <deque>
 #include <memory>
 #include <optional>
+
+namespace trixel::render {
+class Renderer;
+}
 
 namespace trixel::ui {
 
