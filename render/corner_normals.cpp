@@ -2,12 +2,12 @@
 #include "render/corner_normals.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/packed_normal.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <numbers>
 
 namespace trixel::render {
@@ -74,24 +74,11 @@ struct CornersOfVertices
     }
 };
 
-float octahedral(float value)
-{
-    return std::clamp(value, -1.0F, 1.0F) * 32767.0F + 32768.0F;
-}
-
 } // namespace
 
-std::uint32_t packNormal(glm::vec3 n)
+std::uint32_t packNormal(glm::vec3 normal)
 {
-    const float size = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    glm::vec2 p = size > 0 ? glm::vec2(n.x, n.y) / size : glm::vec2(0);
-    if (n.z < 0) {
-        p = {(1 - std::abs(p.y)) * (p.x < 0 ? -1.0F : 1.0F),
-             (1 - std::abs(p.x)) * (p.y < 0 ? -1.0F : 1.0F)};
-    }
-    const auto x = static_cast<std::uint32_t>(std::lround(octahedral(p.x)));
-    const auto y = static_cast<std::uint32_t>(std::lround(octahedral(p.y)));
-    return x | y << 16U;
+    return trixel::packNormal(normal);
 }
 
 std::vector<std::uint32_t> cornerNormals(const TriangleMesh& mesh, float creaseDegrees)
