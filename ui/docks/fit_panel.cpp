@@ -205,7 +205,9 @@ void FitPanel::planOrCancel()
     }
     m_document.endStroke();
     m_applied.reset();
-    m_run.start({m_document.snapshot(), m_document.state(), settings()});
+    m_document.whenSettled([this] {
+        m_run.start({m_document.snapshot(), m_document.state(), settings()});
+    });
 }
 
 void FitPanel::apply()

@@ -6,6 +6,8 @@
 #include "core/base/check.h"
 #include "core/io/new_project.h"
 #include "core/study/views/project_views.h"
+#include "ui/document/behind_stroke.h"
+#include "ui/document/pending_stroke.h"
 #include "ui/document/stored_faces_watch.h"
 #include "ui/document/swap_patch.h"
 #include "ui/document/swap_store.h"
@@ -29,6 +31,9 @@ std::vector<std::byte> encodeTexel(const TexelFormat& format, const std::array<f
     encode(format.type, values, texel);
     return texel;
 }
+
+/// Faces that take longer to fill than the window may be held up: about 4 ms.
+constexpr std::size_t kFacesBehind = 20'000;
 
 /// Whether the patch that was swapped gave a face another level.
 bool changedLevels(const TexelPatch& patch, const TexelStore& texels)
@@ -62,6 +67,7 @@ Document::Document(QObject* parent)
 {
     connect(m_storedFaces, &StoredFacesWatch::damaged, this, &Document::notice);
     connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
+    m_strokeThread.setMaxThreadCount(1);
 }
 
 Document::~Document()
@@ -73,6 +79,14 @@ Document::~Document()
 void Document::open(Project project, const QString& path, const QString& title)
 {
     m_stroke.reset();
+    m_kept.reset();
+    for (const Later& later : std::exchange(m_later, {})) {
+        if (!later.isEdit) {
+            later.work(); // somebody waits for its end
+        }
+    }
+    dropBehind();
+    m_pending = nullptr;
     m_project = std::move(project);
     m_fill = fillOf(m_project);
     m_path = path;
@@ -102,7 +116,11 @@ StateId Document::state() const
 {
     const QUndoCommand* last = m_undo.command(m_undo.index() - 1);
     const auto* step = dynamic_cast<const DocumentStep*>(last);
-    return step != nullptr ? step->state() : m_openedState;
+    StateId state = step != nullptr ? step->state() : m_openedState;
+    if (m_pending != nullptr) {
+        state.texels = m_texelsBeforePending; // until its last texel is there
+    }
+    return state;
 }
 
 void Document::markSaved(const QString& path, StateId saved)
@@ -124,12 +142,12 @@ void Document::announceModified()
 
 void Document::releaseHeldTexels()
 {
-    if (!m_stroke) {
+    if (!hasStroke()) {
         m_project.texels.releaseHeld();
     }
 }
 
-void Document::beginStroke(const Brush& brush)
+void Document::beginStroke(const Brush& brush, StrokePace pace)
 {
     if (!isOpen()) {
         return;
@@ -139,12 +157,41 @@ void Document::beginStroke(const Brush& brush)
         emit notice(QString::fromStdString(valid.error().message));
         return;
     }
+    if (isSettling()) {
+        m_kept = KeptStroke{brush, pace, {}};
+    } else {
+        start(brush, pace);
+    }
+}
+
+void Document::start(const Brush& brush, StrokePace pace)
+{
+    m_brush = brush;
     m_strokeErases = brush.blend == BlendMode::Erase;
-    m_stroke.emplace(m_project.surface, brush, m_fill);
+    if (pace == StrokePace::Behind) {
+        startBehind(brush);
+    } else {
+        m_stroke.emplace(m_project.surface, brush, m_fill);
+    }
 }
 
 void Document::extendStroke(const StrokeSample& sample)
 {
+    if (m_kept) {
+        m_kept->samples.emplace_back(sample);
+    } else {
+        extend(sample);
+    }
+}
+
+void Document::extend(const StrokeSample& sample)
+{
+    if (m_behind && !isSettling()) {
+        const std::vector<PlacedDab> dabs = m_behind->add(sample);
+        if (!dabs.empty()) {
+            emit dabsPlaced(m_brush, dabs);
+        }
+    }
     if (!m_stroke) {
         return;
     }
@@ -156,13 +203,30 @@ void Document::extendStroke(const StrokeSample& sample)
 
 void Document::liftStroke()
 {
-    if (m_stroke) {
+    if (m_kept) {
+        m_kept->samples.emplace_back();
+    } else if (m_behind && !isSettling()) {
+        m_behind->lift();
+    } else if (m_stroke) {
         m_stroke->lift();
     }
 }
 
 void Document::endStroke()
 {
+    if (m_kept) {
+        m_later.push_back({true, [this, kept = *std::exchange(m_kept, {})] {
+                               play(kept);
+                               finish();
+                           }});
+    } else {
+        finish();
+    }
+}
+
+void Document::finish()
+{
+    endBehind();
     if (!m_stroke) {
         return;
     }
@@ -173,6 +237,10 @@ void Document::endStroke()
 
 void Document::cancelStroke()
 {
+    m_kept.reset();
+    if (m_behind && !isSettling()) {
+        dropBehind();
+    }
     if (!m_stroke) {
         return;
     }
@@ -189,22 +257,40 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
         return;
     }
     endStroke();
+    std::vector<FaceId> chosen(faces.begin(), faces.end());
+    if (isSettling()) {
+        m_later.push_back(
+            {true, [this, chosen = std::move(chosen), color] { fill(chosen, color); }});
+    } else {
+        fill(chosen, color);
+    }
+}
+
+void Document::fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color)
+{
     const std::vector<std::byte> texel = encodeTexel(m_project.texels.format(), color);
+    const QString text = faces.size() == 1
+                             ? tr("Fill face")
+                             : tr("Fill %n faces", nullptr, static_cast<int>(faces.size()));
+    if (faces.size() >= kFacesBehind) {
+        watch(std::make_unique<BehindStroke>(m_project.texels, faces, texel, m_strokeThread));
+        pushPending(text);
+        emit fillPlaced(faces, color);
+        return;
+    }
     TexelPatch patch = trixel::fillFaces(m_project.texels, faces, texel);
     if (patch.isEmpty()) {
         return;
     }
     emit changed(changeOf(patch, m_project.texels));
-    push(std::move(patch),
-         faces.size() == 1 ? tr("Fill face")
-                           : tr("Fill %n faces", nullptr, static_cast<int>(faces.size())));
+    push(std::move(patch), text);
 }
 
 /// Ends a stroke in progress; complains where the texels are others than those the change is for.
 bool Document::mayReplace(StateId madeFor, const QString& text)
 {
     endStroke();
-    if (!isOpen() || state().texels != madeFor.texels) {
+    if (!isOpen() || isSettling() || state().texels != madeFor.texels) {
         emit notice(tr("%1: the texture has changed meanwhile, nothing was done.").arg(text));
         return false;
     }
@@ -276,7 +362,9 @@ void Document::swapViews(SceneViews& views)
 void Document::pushViews(SceneViews next, const QString& text)
 {
     endStroke();
-    const StateId following{state().texels, ++m_lastState};
+    // Those of the step below, even if its last texel is not there yet.
+    const std::uint64_t texels = m_pending != nullptr ? m_pending->state().texels : state().texels;
+    const StateId following{texels, ++m_lastState};
     m_undo.push(new SwapViews(*this, std::move(next), following, text)); // the stack owns it
 }
 

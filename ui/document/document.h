@@ -3,12 +3,16 @@
 
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QUndoStack>
 
 #include "core/io/project.h"
 #include "core/paint/brush.h"
 #include "core/paint/stroke.h"
+#include "core/paint/stroke_dabs.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,7 +30,15 @@ struct Change
 };
 
 class StoredFacesWatch;
+class BehindStroke;
+class PendingStroke;
 class ViewBookmarks;
+
+/// When texels get what a stroke paints.
+enum class StrokePace {
+    AtOnce, ///< before `extendStroke` returns
+    Behind  ///< by and by, on another thread: for dabs so large that the window would be held up
+};
 
 /// Names a state of the document: equal names mean equal texels and equal views. Unlike a position
 /// in the undo stack it stays true when undone commands are thrown away.
@@ -76,7 +88,10 @@ public:
     QString title() const;
     /// Whether texels or views differ from those last saved (or opened). A stroke in progress
     /// counts once it ends.
-    bool isModified() const { return isOpen() && state() != m_savedState; }
+    bool isModified() const
+    {
+        return isOpen() && (isSettling() || !m_later.empty() || state() != m_savedState);
+    }
     /// The state the undo stack stands at.
     StateId state() const;
     /// The state the project was opened in, which also tells one opened project from the next.
@@ -85,19 +100,28 @@ public:
     /// painting goes on while a snapshot is saved.
     void markSaved(const QString& path, StateId saved);
 
-    /// Starts a stroke, ending one in progress. An unusable brush is refused with `notice`.
-    void beginStroke(const Brush& brush);
+    /// Starts a stroke, ending one in progress. An unusable brush is refused with `notice`. While
+    /// another stroke is settling it is kept, and painted when that has come to rest.
+    void beginStroke(const Brush& brush, StrokePace pace = StrokePace::AtOnce);
     /// Does nothing without a stroke in progress.
     void extendStroke(const StrokeSample& sample);
     /// The pointer came to another part of the surface: no dabs on the way there.
     void liftStroke();
-    /// Pushes the stroke as one undo step (nothing if it changed nothing).
+    /// Pushes the stroke as one undo step (nothing if it changed nothing). One that is painted
+    /// behind then settles: its undo step is there, its last texels follow.
     void endStroke();
     /// Takes back a stroke in progress.
     void cancelStroke();
-    bool hasStroke() const { return m_stroke.has_value(); }
+    /// Whether a stroke is in progress or settling: texels are about to change.
+    bool hasStroke() const { return isTakingSamples() || isSettling(); }
+    /// Whether `extendStroke` has a stroke to extend.
+    bool isTakingSamples() const;
+    /// Whether something that has ended is still being painted behind.
+    bool isSettling() const;
+    /// Calls `work` once texels hold all that was painted: at once, unless something is settling.
+    void whenSettled(std::function<void()> work);
 
-    /// One undo step; `color` as in `Brush::color`.
+    /// One undo step; `color` as in `Brush::color`. Very many faces are filled behind.
     void fillFaces(std::span<const FaceId> faces, const std::array<float, 4>& color);
 
     /// Exchanges a patch with the texels, as one undo step; levels may change. Refused with
@@ -120,12 +144,45 @@ signals:
     void levelsChanged();
     void modifiedChanged(bool modified);
     void titleChanged();
+    /// Dabs that texels will have later: of a stroke painted behind.
+    void dabsPlaced(const trixel::Brush& brush, const std::vector<trixel::PlacedDab>& dabs);
+    /// Faces that will have this colour later.
+    void fillPlaced(const std::vector<trixel::FaceId>& faces, const std::array<float, 4>& color);
+    /// What was placed is in the texels, which `changed` has told; or was taken back, all of it.
+    void settled(bool isInTexels);
     /// One sentence about something that was refused.
     void notice(const QString& sentence);
 
 private:
+    friend class PendingStroke;
     friend class SwapPatch;
     friend class SwapStore;
+    /// A stroke drawn while another was settling.
+    struct KeptStroke
+    {
+        Brush brush;
+        StrokePace pace = StrokePace::AtOnce;
+        std::vector<std::optional<StrokeSample>> samples; ///< none where it was lifted
+    };
+    /// What waits for a stroke to settle.
+    struct Later
+    {
+        bool isEdit = false;
+        std::function<void()> work;
+    };
+    void start(const Brush& brush, StrokePace pace);
+    void extend(const StrokeSample& sample);
+    void finish();
+    void startBehind(const Brush& brush);
+    void watch(std::unique_ptr<BehindStroke> work);
+    void endBehind();
+    void dropBehind();
+    void settle(TexelPatch& applied);
+    void doLater();
+    void play(const KeptStroke& kept);
+    void takeBackPending();
+    void pushPending(const QString& text);
+    void fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color);
     void swapPatch(TexelPatch& patch);
     void swapStore(TexelStore& texels);
     bool mayReplace(StateId madeFor, const QString& text);
@@ -147,6 +204,13 @@ private:
     StoredFacesWatch* m_storedFaces;
     std::optional<Stroke> m_stroke;
     bool m_strokeErases = false;
+    Brush m_brush; ///< of the stroke
+    QThreadPool m_strokeThread;
+    std::unique_ptr<BehindStroke> m_behind;  ///< a stroke or fill painted behind
+    PendingStroke* m_pending = nullptr;      ///< its command, on the stack
+    std::uint64_t m_texelsBeforePending = 0; ///< the texels' state until it settles
+    std::optional<KeptStroke> m_kept;        ///< being drawn while another settles
+    std::vector<Later> m_later;
     QUndoStack m_undo;
     StateId m_openedState;
     StateId m_savedState;

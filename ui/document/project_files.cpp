@@ -226,10 +226,15 @@ void ProjectFiles::createNew(std::shared_ptr<const TriangleMesh> mesh,
 void ProjectFiles::save(const QString& path)
 {
     m_document.endStroke();
-    const StateId state = m_document.state();
-    const StateId project = m_document.openedState();
     ++m_saving;
     emit savingChanged();
+    m_document.whenSettled([this, path] { saveNow(path); });
+}
+
+void ProjectFiles::saveNow(const QString& path)
+{
+    const StateId state = m_document.state();
+    const StateId project = m_document.openedState();
     m_jobs.run(
         tr("Saving %1…").arg(fileName(path)),
         [file = toPath(path), snapshot = m_document.snapshot()](Progress& progress) {
@@ -255,6 +260,11 @@ void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
 {
     m_document.endStroke();
     ++m_exporting;
+    m_document.whenSettled([this, path, type, mips] { exportNow(path, type, mips); });
+}
+
+void ProjectFiles::exportNow(const QString& path, TexelType type, bool mips)
+{
     m_jobs.run(
         tr("Exporting %1…").arg(fileName(path)),
         [file = toPath(path), project = m_document.snapshot(), type, mips](

@@ -70,6 +70,8 @@ private:
     void openProjectFile(const QString& path);
     void openPtxFile(const QString& path);
     void openMeshFile(const QString& path);
+    void saveNow(const QString& path);
+    void exportNow(const QString& path, TexelType type, bool mips);
     void tell(const Error& error, const QString& path);
 
     Document& m_document;

@@ -24,7 +24,7 @@ void StrokeInput::begin(const Brush& brush, double time)
     m_onSurface = false;
     m_hasSamples = false;
     m_document.beginStroke(brush);
-    m_active = m_document.hasStroke();
+    m_active = m_document.isTakingSamples();
 }
 
 /// Whether the pointer came to another part of the surface (over a silhouette, or from outside),
@@ -41,7 +41,7 @@ void StrokeInput::add(const std::optional<SurfacePoint>& hit,
                       const PointerSample& sample,
                       double worldPerPixel)
 {
-    if (!m_active || !m_document.hasStroke()) {
+    if (!m_active || !m_document.isTakingSamples()) {
         m_active = false; // taken back meanwhile, by an undo for instance
         return;
     }

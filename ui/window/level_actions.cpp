@@ -117,6 +117,11 @@ void LevelActions::plan(LevelChange change, const QString& text)
     }
     m_document.endStroke();
     withdraw();
+    m_document.whenSettled([this, change, text] { count(change, text); });
+}
+
+void LevelActions::count(const LevelChange& change, const QString& text)
+{
     const std::uint64_t number = ++m_planned;
     std::vector<FaceId> chosen(m_selection.faces().begin(), m_selection.faces().end());
     m_jobs.run(

@@ -42,6 +42,7 @@ private:
     void enable();
     void askForLevel();
     void plan(LevelChange change, const QString& text);
+    void count(const LevelChange& change, const QString& text);
     void offer(const std::shared_ptr<const Plan>& plan);
     void apply(const std::shared_ptr<const Plan>& plan);
     void withdraw();

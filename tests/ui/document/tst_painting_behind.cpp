@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/ui/fixtures.h"
+#include "ui/document/document.h"
+
+#include <array>
+#include <numeric>
+
+using namespace trixel;
+using namespace trixel::ui;
+
+namespace {
+
+constexpr std::array<float, 4> kBlue{0, 0, 1, 1};
+
+Brush wideBrush(float red = 1)
+{
+    Brush brush;
+    brush.radius = 0.3F;
+    brush.flow = 0.5F;
+    brush.color = {red, 0, 0, 1};
+    return brush;
+}
+
+void extendAcross(Document& document)
+{
+    for (const std::uint32_t face : {0U, 2U, 4U, 38U, 46U, 8U}) {
+        document.extendStroke({FaceId{face}, {0.3F, 0.3F}, 1.0F, 0.1 * face});
+    }
+}
+
+void paint(Document& document, const Brush& brush, StrokePace pace)
+{
+    document.beginStroke(brush, pace);
+    extendAcross(document);
+    document.endStroke();
+}
+
+} // namespace
+
+class TestPaintingBehind : public QObject
+{
+    Q_OBJECT
+
+private:
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Document> m_plain; ///< the same, painted at once
+    std::vector<std::byte> m_before;
+
+    void waitUntilSettled()
+    {
+        QTRY_VERIFY(!m_document->isSettling());
+        QVERIFY(!m_document->hasStroke());
+    }
+    QUndoStack& stack() { return m_document->undoStack(); }
+    std::vector<std::byte> texels() const { return allTexels(m_document->texels()); }
+    std::vector<std::byte> plainTexels() const { return allTexels(m_plain->texels()); }
+
+private slots:
+    void init()
+    {
+        for (std::unique_ptr<Document>* document : {&m_document, &m_plain}) {
+            *document = std::make_unique<Document>();
+            (*document)->open(gridProject(8, 5), {}, "grid");
+        }
+        m_before = texels();
+    }
+
+    void theTexelsAreThoseOfAStrokePaintedAtOnce()
+    {
+        QSignalSpy settled(m_document.get(), &Document::settled);
+        QSignalSpy placed(m_document.get(), &Document::dabsPlaced);
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        QVERIFY(m_document->isSettling());
+        QVERIFY(m_document->isModified());
+        QVERIFY(placed.size() > 0);
+        waitUntilSettled();
+        QCOMPARE(settled.size(), 1);
+        QCOMPARE(settled.at(0).at(0).toBool(), true);
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        QCOMPARE(texels(), plainTexels());
+        QVERIFY(texels() != m_before);
+        stack().undo();
+        QCOMPARE(texels(), m_before);
+        QVERIFY(!m_document->isModified());
+        stack().redo();
+        QCOMPARE(texels(), plainTexels());
+    }
+
+    void theWindowHearsOfEveryFaceThatChanges()
+    {
+        std::set<FaceId> told;
+        connect(m_document.get(), &Document::changed, this, [&](const Change& change) {
+            for (const TouchedRect& rect : change.rects) {
+                told.insert(rect.face);
+            }
+        });
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        waitUntilSettled();
+        const TexelStore before = gridProject(8, 5).texels;
+        for (std::uint32_t k = 0; k < before.faceCount(); ++k) {
+            QVERIFY(told.contains(FaceId{k}) ||
+                    before.face(FaceId{k}) == m_document->texels().face(FaceId{k}));
+        }
+    }
+
+    void undoneWhileItSettlesAStrokeLeavesNothing()
+    {
+        paint(*m_document, wideBrush(0.5F), StrokePace::AtOnce);
+        const std::vector<std::byte> first = texels();
+        const StateId state = m_document->state();
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        QVERIFY(m_document->isSettling());
+        QCOMPARE(m_document->state(), state); // nothing made from its texels counts as new
+        QSignalSpy settled(m_document.get(), &Document::settled);
+        stack().undo();
+        QCOMPARE(settled.size(), 1);
+        QCOMPARE(settled.at(0).at(0).toBool(), false);
+        QVERIFY(!m_document->hasStroke());
+        QCOMPARE(texels(), first); // and the one before it is still there
+        QCOMPARE(stack().count(), 1);
+        QTest::qWait(50);
+        QCOMPARE(texels(), first);
+        QCOMPARE(m_document->state(), state);
+    }
+
+    void cancelledAStrokeLeavesNothing()
+    {
+        m_document->beginStroke(wideBrush(), StrokePace::Behind);
+        extendAcross(*m_document);
+        QTest::qWait(30); // some of it is in the texels
+        m_document->cancelStroke();
+        QVERIFY(!m_document->hasStroke());
+        QCOMPARE(texels(), m_before);
+        QTest::qWait(30);
+        QCOMPARE(texels(), m_before);
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(!m_document->isModified());
+    }
+
+    void strokesAndFillsDrawnWhileOneSettlesFollowInOrder()
+    {
+        const auto all = [](Document& document, StrokePace pace) {
+            paint(document, wideBrush(), pace);
+            paint(document, wideBrush(0.2F), StrokePace::AtOnce);
+            document.fillFaces(std::array{FaceId{4}, FaceId{5}}, kBlue);
+            paint(document, wideBrush(0.7F), pace);
+        };
+        all(*m_document, StrokePace::Behind);
+        QVERIFY(m_document->isSettling());
+        all(*m_plain, StrokePace::AtOnce);
+        waitUntilSettled();
+        QTRY_COMPARE(stack().count(), 4);
+        waitUntilSettled();
+        QCOMPARE(texels(), plainTexels());
+        for (int k = 0; k < 4; ++k) {
+            stack().undo();
+            m_plain->undoStack().undo();
+            QCOMPARE(texels(), plainTexels());
+        }
+        QCOMPARE(texels(), m_before);
+    }
+
+    void aStrokeBegunWhileAnotherSettlesGoesOnAfterwards()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        m_document->beginStroke(wideBrush(0.2F), StrokePace::Behind);
+        QVERIFY(m_document->isTakingSamples());
+        m_document->extendStroke({FaceId{0}, {0.3F, 0.3F}, 1, 0});
+        QTRY_VERIFY(!m_document->isSettling());
+        QVERIFY(m_document->isTakingSamples());
+        m_document->extendStroke({FaceId{60}, {0.3F, 0.3F}, 1, 1});
+        m_document->endStroke();
+        waitUntilSettled();
+
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        m_plain->beginStroke(wideBrush(0.2F));
+        m_plain->extendStroke({FaceId{0}, {0.3F, 0.3F}, 1, 0});
+        m_plain->extendStroke({FaceId{60}, {0.3F, 0.3F}, 1, 1});
+        m_plain->endStroke();
+        QCOMPARE(texels(), plainTexels());
+    }
+
+    void undoTakesBackWhatWaitsBeforeWhatSettles()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        paint(*m_document, wideBrush(0.2F), StrokePace::AtOnce); // waits
+        stack().undo();
+        QVERIFY(m_document->isSettling());
+        waitUntilSettled();
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        QCOMPARE(texels(), plainTexels());
+        QTest::qWait(10);
+        QCOMPARE(stack().count(), 1);
+        stack().undo();
+        QCOMPARE(texels(), m_before);
+    }
+
+    void changesMadeFromTexelsThatAreStillChangingAreRefused()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        QSignalSpy notice(m_document.get(), &Document::notice);
+        const bool applied = m_document->replaceTexels(
+            m_document->texels(), m_document->state(), QStringLiteral("Fit"));
+        QVERIFY(!applied);
+        QCOMPARE(notice.size(), 1);
+        waitUntilSettled();
+        QVERIFY(texels() != m_before);
+    }
+
+    void whoWaitsForTexelsGetsAllOfThem()
+    {
+        bool isDone = false;
+        m_document->whenSettled([&] { isDone = true; });
+        QVERIFY(isDone);
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        std::vector<std::byte> found;
+        StateId state;
+        m_document->whenSettled([&] {
+            found = texels();
+            state = m_document->state();
+        });
+        QVERIFY(found.empty());
+        waitUntilSettled();
+        QCOMPARE(found, texels());
+        QCOMPARE(state, m_document->state());
+    }
+
+    void savedWhileItSettlesAStrokeStillCountsAsUnsaved()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        m_document->markSaved(QStringLiteral("a.trixel"), m_document->state());
+        QVERIFY(m_document->isModified());
+        waitUntilSettled();
+        QVERIFY(m_document->isModified());
+    }
+
+    void aStrokeThatChangesNothingLeavesNoStep()
+    {
+        Brush brush = wideBrush();
+        brush.blend = BlendMode::Erase; // what is there already
+        paint(*m_document, brush, StrokePace::Behind);
+        waitUntilSettled();
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(!m_document->isModified());
+        m_document->beginStroke(wideBrush(), StrokePace::Behind);
+        m_document->endStroke(); // without a dab
+        QVERIFY(!m_document->hasStroke());
+        QCOMPARE(stack().count(), 0);
+    }
+
+    void anotherProjectForgetsWhatWasBeingPainted()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        m_document->fillFaces(std::array{FaceId{4}}, kBlue);
+        m_document->open(gridProject(3, 2), {}, "other");
+        const std::vector<std::byte> other = texels();
+        QVERIFY(!m_document->hasStroke());
+        QTest::qWait(50);
+        QCOMPARE(texels(), other);
+        QVERIFY(!m_document->isModified());
+    }
+
+    void veryManyFacesAreFilledBehind()
+    {
+        m_document->open(gridProject(120, 2), {}, "many"); // 28,800 faces
+        m_plain->open(gridProject(120, 2), {}, "many");
+        std::vector<FaceId> faces;
+        for (std::uint32_t k = 5; k < 28'000; ++k) {
+            faces.push_back(FaceId{k});
+        }
+        QSignalSpy placed(m_document.get(), &Document::fillPlaced);
+        m_document->fillFaces(faces, kBlue);
+        QCOMPARE(placed.size(), 1);
+        QVERIFY(m_document->isSettling());
+        waitUntilSettled();
+        for (const FaceId face : faces) {
+            m_plain->fillFaces(std::array{face}, kBlue);
+        }
+        QVERIFY(texels() == plainTexels());
+        QCOMPARE(stack().undoText(), QStringLiteral("Fill 27995 faces"));
+        stack().undo();
+        QVERIFY(texels() == allTexels(gridProject(120, 2).texels));
+    }
+
+    void aDocumentMayDieInTheMiddle()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        m_document.reset();
+    }
+};
+
+QTEST_MAIN(TestPaintingBehind)
+#include "tst_painting_behind.moc"
