@@ -65,6 +65,8 @@ public:
              std::uint32_t dabs,
              bool first);
 
+    /// What places are relative to: the first dab's centre.
+    glm::dvec3 origin() const { return glm::dvec3(m_dabs.front().centre); }
     std::span<const PaintEntry> entries() const { return m_entries; }
     std::span<const PaintDab> dabs() const { return m_cardDabs; }
 

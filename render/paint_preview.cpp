@@ -37,7 +37,8 @@ Result<std::unique_ptr<PaintPreview>> PaintPreview::create(Gl& gl, GLenum covera
 }
 
 PaintPreview::PaintPreview(Gl& gl, std::unique_ptr<PaintSheet> sheet)
-    : m_sheet(std::move(sheet))
+    : m_gl(gl)
+    , m_sheet(std::move(sheet))
     , m_squares(m_sheet->mostRows())
     , m_cardWords(gl, GL_R32UI, sizeof(std::uint32_t))
 {
@@ -126,6 +127,36 @@ void PaintPreview::fill(std::span<const FaceId> faces)
     sendWords(std::move(isNew));
 }
 
+void PaintPreview::project(const TriangleMesh& mesh,
+                           const TexelStore& store,
+                           std::span<const FaceId> faces,
+                           const PictureProjection& picture)
+{
+    if (faces.empty()) {
+        return;
+    }
+    PaintBatch batch(std::array{Dab{mesh.corners(faces.front())[0], {}, 1, 1}});
+    std::vector<std::uint32_t> isNew;
+    for (const FaceId face : faces) {
+        if (giveSquare(face, store.face(face).level())) {
+            batch.add(mesh.corners(face), PaintSquare::of(word(face)), 1, true);
+            isNew.push_back(static_cast<std::uint32_t>(face));
+        }
+    }
+    m_isPicture = m_sheet->drawPicture(batch, picture);
+    if (m_isPicture) {
+        sendWords(std::move(isNew));
+    } else {
+        end();
+    }
+}
+
+PaintSpeed PaintPreview::measureSpeed(const TexelFormat& format, Threads threads)
+{
+    check(!isShown(), "an empty sheet");
+    return measurePaintSpeed(m_gl, *m_sheet, format, threads);
+}
+
 void PaintPreview::release(std::span<const FaceId> faces)
 {
     std::vector<std::uint32_t> given;
@@ -149,6 +180,7 @@ void PaintPreview::end()
         m_cardWords.fill(std::as_bytes(std::span(m_words)));
         m_shown = 0;
     }
+    m_isPicture = false;
     m_squares.clear();
     m_sheet->shrink();
 }
@@ -173,9 +205,13 @@ void PaintPreview::use(QOpenGLShaderProgram& program,
                        GLuint coverage)
 {
     m_cardWords.bind(squares);
-    m_sheet->bind(coverage);
+    if (m_isPicture) {
+        m_sheet->bindPicture(coverage);
+    } else {
+        m_sheet->bind(coverage);
+    }
     std::array<float, 4> target{1, 1, 1, 1};
-    for (std::size_t k = 0; k < target.size(); ++k) {
+    for (std::size_t k = 0; k < target.size() && !m_isPicture; ++k) {
         if (channels[k] >= 0) {
             target[k] = m_paint.target.at(static_cast<std::size_t>(channels[k]));
         }
@@ -184,6 +220,10 @@ void PaintPreview::use(QOpenGLShaderProgram& program,
     program.setUniformValue("sheet", static_cast<GLint>(coverage));
     program.setUniformValue("paint", QVector4D(target[0], target[1], target[2], target[3]));
     program.setUniformValue("paintIsUnit", m_paint.isUnit);
+    program.setUniformValue("paintIsPicture", m_isPicture);
+    const auto part = [&](std::size_t k) { return std::clamp(channels[k], 0, 2); };
+    const std::array<GLint, 3> parts{part(0), part(1), part(2)};
+    m_gl.glUniform3iv(program.uniformLocation("paintParts"), 1, parts.data());
 }
 
 } // namespace trixel::render

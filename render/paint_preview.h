@@ -6,6 +6,7 @@
 #include "core/texture/texel_store.h"
 #include "render/display_conversion.h"
 #include "render/paint_sheet.h"
+#include "render/paint_speed.h"
 
 #include <cstdint>
 #include <memory>
@@ -40,6 +41,12 @@ public:
     /// Covers whole faces. All of them share a square of one texel.
     void fill(std::span<const FaceId> faces);
 
+    /// Throws a picture onto faces, in place of dabs. Not all of it may find room.
+    void project(const TriangleMesh& mesh,
+                 const TexelStore& store,
+                 std::span<const FaceId> faces,
+                 const PictureProjection& picture);
+
     /// Whether some face has a square.
     bool isShown() const { return m_shown > 0; }
     bool hasSquare(FaceId face) const
@@ -58,6 +65,9 @@ public:
              GLuint squares,
              GLuint coverage);
 
+    /// What card and processor take for a texel; see there. Nothing may be shown (checked).
+    PaintSpeed measureSpeed(const TexelFormat& format, Threads threads);
+
     PaintSheet& sheet() { return *m_sheet; }
     /// The word of a face's square; see `PaintSquare`.
     std::uint32_t word(FaceId face) const { return m_words[indexOf(face)]; }
@@ -69,10 +79,12 @@ private:
     addBatch(const TriangleMesh& mesh, const TexelStore& store, std::span<const PlacedDab> dabs);
     void sendWords(std::vector<std::uint32_t> faces);
 
+    Gl& m_gl;
     std::unique_ptr<PaintSheet> m_sheet;
     PaintSquares m_squares;
     TextureBuffer m_cardWords;
     Paint m_paint;
+    bool m_isPicture = false;           ///< the sheet's pictures are shown instead of coverage
     std::vector<std::uint32_t> m_words; ///< by face
     std::vector<std::uint32_t> m_masks; ///< by face: the dabs of a batch; zero between batches
     std::size_t m_shown = 0;

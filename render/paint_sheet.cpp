@@ -4,8 +4,10 @@
 #include <QVector2D>
 
 #include "core/lattice/paint_projection.h"
+#include "render/matrices.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 namespace trixel::render {
@@ -177,6 +179,8 @@ void PaintSheet::shrink()
     if (m_rows > kFewestRows) {
         m_rows = 0;
         m_sheet.reset();
+        m_pictures.reset();
+        m_pictureRows = 0;
         (void)reserve(kFewestRows); // as it was once
     }
 }
@@ -187,13 +191,13 @@ std::uint64_t PaintSheet::bytes() const
 }
 
 void PaintSheet::drawInto(const PaintTarget& target,
-                          const PaintTarget& from,
+                          GLuint from,
                           QOpenGLShaderProgram& program,
                           std::size_t entries)
 {
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     m_gl.glActiveTexture(GL_TEXTURE1);
-    m_gl.glBindTexture(GL_TEXTURE_2D, from.texture());
+    m_gl.glBindTexture(GL_TEXTURE_2D, from);
     program.bind();
     program.setUniformValue("sheetSize",
                             QVector2D(PaintSquares::kWidth, static_cast<float>(m_rows)));
@@ -201,7 +205,7 @@ void PaintSheet::drawInto(const PaintTarget& target,
     program.release();
 }
 
-void PaintSheet::draw(const PaintBatch& batch, const Strength& strength)
+void PaintSheet::withBatch(const PaintBatch& batch, const std::function<void()>& work)
 {
     if (batch.entries().empty()) {
         return;
@@ -220,18 +224,78 @@ void PaintSheet::draw(const PaintBatch& batch, const Strength& strength)
     }
     m_entries.bind(0);
     m_dabs.bind(2);
-    QOpenGLShaderProgram& program = *m_dabsProgram;
-    program.bind();
-    program.setUniformValue("hardness", strength.hardness);
-    program.setUniformValue("fallScale",
-                            strength.hardness < 1.0F ? 1.0F / (1.0F - strength.hardness) : 1e30F);
-    program.setUniformValue("flow", strength.flow);
-    drawInto(m_scratch, *m_sheet, program, batch.entries().size());
-    drawInto(*m_sheet, m_scratch, *m_copyProgram, batch.entries().size());
+    work();
     for (GLenum plane = 0; plane < 4; ++plane) {
         m_gl.glDisable(GL_CLIP_DISTANCE0 + plane);
     }
     m_gl.glActiveTexture(GL_TEXTURE0);
+}
+
+void PaintSheet::draw(const PaintBatch& batch, const Strength& strength)
+{
+    withBatch(batch, [&] {
+        QOpenGLShaderProgram& program = *m_dabsProgram;
+        program.bind();
+        program.setUniformValue("hardness", strength.hardness);
+        program.setUniformValue(
+            "fallScale", strength.hardness < 1.0F ? 1.0F / (1.0F - strength.hardness) : 1e30F);
+        program.setUniformValue("flow", strength.flow);
+        drawInto(m_scratch, m_sheet->texture(), program, batch.entries().size());
+        drawInto(*m_sheet, m_scratch.texture(), *m_copyProgram, batch.entries().size());
+    });
+}
+
+bool PaintSheet::drawPicture(const PaintBatch& batch, const PictureProjection& picture)
+{
+    if (!m_pictureProgram) {
+        auto made = loadProgram(QStringLiteral("paint.vert"), QStringLiteral("paint_picture.frag"));
+        if (!made) {
+            return false;
+        }
+        m_pictureProgram = std::move(*made);
+    }
+    if (!m_pictures || m_pictureRows != m_rows) {
+        m_pictures = std::make_unique<PaintTarget>(m_gl);
+        m_pictureRows = m_rows;
+        if (!m_pictures->allocate(GL_RGBA16F, m_rows)) {
+            m_pictures.reset();
+            return false;
+        }
+    }
+    GLuint pixels = 0;
+    m_gl.glGenTextures(1, &pixels);
+    m_gl.glActiveTexture(GL_TEXTURE1);
+    m_gl.glBindTexture(GL_TEXTURE_2D, pixels);
+    m_gl.glTexImage2D(GL_TEXTURE_2D,
+                      0,
+                      GL_RGBA32F,
+                      picture.width,
+                      picture.height,
+                      0,
+                      GL_RGBA,
+                      GL_FLOAT,
+                      picture.pixels.data());
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    withBatch(batch, [&] {
+        QOpenGLShaderProgram& program = *m_pictureProgram;
+        program.bind();
+        program.setUniformValue("entries", 0);
+        program.setUniformValue("picture", 1);
+        program.setUniformValue("offset", static_cast<float>(kPaintOffset));
+        program.setUniformValue("opacity", picture.opacity);
+        const glm::dmat4 toClip = glm::translate(picture.toClip, batch.origin());
+        program.setUniformValue("toClip", toQt(glm::mat4(toClip)));
+        drawInto(*m_pictures, pixels, program, batch.entries().size());
+    });
+    m_gl.glDeleteTextures(1, &pixels);
+    return m_gl.glGetError() == GL_NO_ERROR;
+}
+
+void PaintSheet::bindPicture(GLuint unit)
+{
+    m_gl.glActiveTexture(GL_TEXTURE0 + unit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_pictures->texture());
 }
 
 void PaintSheet::bind(GLuint unit)
@@ -242,12 +306,23 @@ void PaintSheet::bind(GLuint unit)
 
 std::vector<float> PaintSheet::read(const PaintSquare& square)
 {
+    return read(*m_sheet, square, GL_RED);
+}
+
+std::vector<float> PaintSheet::readPicture(const PaintSquare& square)
+{
+    return read(*m_pictures, square, GL_RGBA);
+}
+
+std::vector<float>
+PaintSheet::read(const PaintTarget& target, const PaintSquare& square, GLenum format)
+{
     const KeptState kept(m_gl);
-    std::vector<float> coverage(square.level.texelCount());
+    std::vector<float> values(square.level.texelCount() * (format == GL_RGBA ? 4U : 1U));
     const auto side = static_cast<GLsizei>(square.level.resolution());
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_sheet->framebuffer());
-    m_gl.glReadPixels(square.x, square.y, side, side, GL_RED, GL_FLOAT, coverage.data());
-    return coverage;
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    m_gl.glReadPixels(square.x, square.y, side, side, format, GL_FLOAT, values.data());
+    return values;
 }
 
 } // namespace trixel::render

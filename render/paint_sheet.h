@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/paint/project_picture.h"
 #include "render/gl.h"
 #include "render/paint_batch.h"
 #include "render/program.h"
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -67,13 +69,21 @@ public:
     bool reserve(std::uint32_t rows);
     /// Draws dabs over the squares of a batch, which lie in rows reserved.
     void draw(const PaintBatch& batch, const Strength& strength);
+    /// Draws what of a picture lands on the texels of a batch's squares, its dabs aside: colours
+    /// and how far they cover, in a texture of its own with squares at the same places. False where
+    /// the card is not able to.
+    bool drawPicture(const PaintBatch& batch, const PictureProjection& picture);
     /// Gives up all memory but a little.
     void shrink();
 
     /// Makes coverage readable at a texture unit.
     void bind(GLuint unit);
+    /// The same of what `drawPicture` drew.
+    void bindPicture(GLuint unit);
     /// Coverage of a square's texels in packed order, for tests: it waits for the card.
     std::vector<float> read(const PaintSquare& square);
+    /// Red, green, blue and coverage a texel of what `drawPicture` drew.
+    std::vector<float> readPicture(const PaintSquare& square);
     /// Bytes on the card.
     std::uint64_t bytes() const;
 
@@ -81,8 +91,11 @@ private:
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     PaintSheet(Gl& gl, GLenum coverage, Program dabs, Program copy);
+    /// Calls `work` with all set to draw a batch.
+    void withBatch(const PaintBatch& batch, const std::function<void()>& work);
+    std::vector<float> read(const PaintTarget& target, const PaintSquare& square, GLenum format);
     void drawInto(const PaintTarget& target,
-                  const PaintTarget& from,
+                  GLuint from,
                   QOpenGLShaderProgram& program,
                   std::size_t entries);
 
@@ -92,6 +105,9 @@ private:
     Program m_copyProgram;
     std::unique_ptr<PaintTarget> m_sheet;
     PaintTarget m_scratch;
+    Program m_pictureProgram; ///< none before it was asked for, as are:
+    std::unique_ptr<PaintTarget> m_pictures;
+    std::uint32_t m_pictureRows = 0;
     TextureBuffer m_entries;
     TextureBuffer m_dabs;
     GLuint m_vertexArray = 0;

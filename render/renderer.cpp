@@ -202,7 +202,7 @@ std::size_t Renderer::send(Layer& layer, const DisplayUpdate& update)
 Result<PaintPreview*> Renderer::preview()
 {
     if (!m_preview) {
-        auto made = PaintPreview::create(*m_gl);
+        auto made = PaintPreview::create(*m_gl, m_coverageFormat);
         if (!made) {
             return tl::unexpected(made.error());
         }

@@ -91,6 +91,14 @@ public:
     /// What a stroke in progress makes of side A's texels, shown over them; made at the first call.
     /// Fails where the card cannot draw it.
     Result<PaintPreview*> preview();
+    /// The same if it has been made; else null.
+    PaintPreview* shownPreview() { return m_preview.get(); }
+    /// What the preview draws from now on, for tests: a format that the card may not be able to.
+    void setCoverageFormat(GLenum format)
+    {
+        m_preview.reset();
+        m_coverageFormat = format;
+    }
 
     /// A picture laid over the surface and under the lines; see `PicturePass`.
     PicturePass& picture(Side side = Side::A)
@@ -143,6 +151,7 @@ private:
     GLuint m_vertexArray = 0; ///< of no attributes: core profile draws with none bound are errors
     std::array<Layer, 2> m_layers;
     std::unique_ptr<PaintPreview> m_preview; ///< none before it was asked for
+    GLenum m_coverageFormat = GL_R32F;
     TexelFormat m_format;
     Look m_look;
     CardLook m_cardLook;

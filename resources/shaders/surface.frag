@@ -18,6 +18,8 @@ uniform int component; // that is the number, or -1 for the luminance
 uniform usamplerBuffer squares;    // a face: its square in the sheet, 0 where it has none
 uniform sampler2D sheet;           // of paint: how far a stroke covers each texel
 uniform vec4 paint;                // that the stroke moves texels towards
+uniform bool paintIsPicture;       // or colours of its own a texel, and how far they cover
+uniform ivec3 paintParts;          // of those colours that the first three channels take
 uniform bool paintIsUnit;          // texels cannot leave [0, 1]
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
@@ -145,8 +147,11 @@ vec4 painted(vec4 texel, vec2 p, int resolution)
     int side = 1 << level;
     int index = texelIndex(p * (float(side) / float(resolution)), side);
     ivec2 place = ivec2(word & 0x1fffu, word >> 13 & 0x1fffu);
-    float part = texelFetch(sheet, place + ivec2(index & (side - 1), index >> level), 0).r;
-    vec4 moved = part < 1.0 ? texel + part * (paint - texel) : paint;
+    vec4 cover = texelFetch(sheet, place + ivec2(index & (side - 1), index >> level), 0);
+    float part = paintIsPicture ? cover.a : cover.r;
+    vec4 target = paintIsPicture ? vec4(cover[paintParts.x], cover[paintParts.y], cover[paintParts.z], 1.0)
+                                 : paint;
+    vec4 moved = part < 1.0 ? texel + part * (target - texel) : target;
     moved = paintIsUnit ? clamp(moved, 0.0, 1.0) : moved;
     return part > 0.0 ? moved : texel;
 }

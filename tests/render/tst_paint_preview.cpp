@@ -294,6 +294,57 @@ private slots:
         QVERIFY(largestDifference(picture(), shown) <= 1.0 / 255);
     }
 
+    void aPictureThrownOntoFacesLooksBeforeItsCommitAsAfterIt_data()
+    {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<int>("channels");
+        for (const TexelType type :
+             {TexelType::UInt8, TexelType::UInt16, TexelType::Half, TexelType::Float}) {
+            QTest::newRow(std::string(nameOf(type)).c_str()) << static_cast<int>(type) << 3;
+        }
+        QTest::newRow("one channel") << static_cast<int>(TexelType::UInt16) << 1;
+    }
+    void aPictureThrownOntoFacesLooksBeforeItsCommitAsAfterIt()
+    {
+        QFETCH(int, type);
+        QFETCH(int, channels);
+        const TexelFormat format{
+            static_cast<TexelType>(type), static_cast<std::uint16_t>(channels), std::nullopt};
+        open(format);
+        const Picture before = picture();
+        std::vector<float> pixels;
+        for (int k = 0; k < 64 * 48; ++k) {
+            const auto x = static_cast<float>(k % 64) / 63;
+            const auto y = static_cast<float>(k / 64) / 47;
+            pixels.insert(pixels.end(),
+                          {x, 0.5F + 0.5F * std::sin(9 * y), 1 - x * y, 0.4F + 0.6F * y});
+        }
+        Camera camera; // other than the one that looks
+        camera.setViewport(64, 48);
+        camera.setScene({-1, -1, -0.2F}, {1, 1, 0.2F});
+        camera.setPose({{0.1, 0, 0}, 3.0, -0.5, 0.3});
+        const PictureProjection thrown{
+            glm::dmat4(camera.projection() * camera.view()), 64, 48, pixels, 0.8F};
+        std::vector<FaceId> faces;
+        for (std::size_t f = 0; f < m_surface->mesh().faceCount(); f += f % 3 + 1) {
+            faces.push_back(faceId(f));
+        }
+        PaintPreview& preview = **m_renderer->preview();
+        preview.begin(
+            m_store.faceCount(),
+            {{}, {}, format.type == TexelType::UInt8 || format.type == TexelType::UInt16});
+        preview.project(m_surface->mesh(), m_store, faces, thrown);
+        const Picture shown = picture();
+        QVERIFY(largestDifference(shown, before) > 0.3);
+        preview.end();
+        QCOMPARE(picture(), before);
+        projectPicture(m_store, m_surface->mesh(), faces, thrown, Threads{1});
+        m_renderer->touchAllTexels();
+        send();
+        const double most = format.type == TexelType::UInt8 ? 1.0 / 255 : 1.0 / 1024;
+        QVERIFY(largestDifference(picture(), shown) <= most);
+    }
+
     void facesWithoutRoomShowTheStoreAndTheRestGoesOn()
     {
         const TexelFormat format{TexelType::UInt8, 3, std::nullopt};

@@ -70,6 +70,8 @@ public:
     /// Null before a project is open.
     const std::shared_ptr<const Surface>& surface() const { return m_project.surface; }
     const TexelStore& texels() const { return m_project.texels; }
+    /// The bytes of one texel that Erase moves towards.
+    const std::vector<std::byte>& fillTexel() const { return m_fill; }
     /// A snapshot for saving and exporting while painting goes on; cheap.
     Project snapshot() const { return m_project; }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/stroke_input.h"
 
-#include "ui/document/document.h"
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -17,13 +15,13 @@ constexpr double kAlwaysBridged = 2.0;
 
 } // namespace
 
-void StrokeInput::begin(const Brush& brush, double time)
+void StrokeInput::begin(const Brush& brush, double time, StrokePace pace)
 {
     m_brush = brush;
     m_startTime = time;
     m_onSurface = false;
     m_hasSamples = false;
-    m_document.beginStroke(brush);
+    m_document.beginStroke(brush, pace);
     m_active = m_document.isTakingSamples();
 }
 

@@ -3,13 +3,12 @@
 
 #include "core/mesh/bvh.h"
 #include "core/paint/brush.h"
+#include "ui/document/document.h"
 
 #include <glm/vec2.hpp>
 #include <optional>
 
 namespace trixel::ui {
-
-class Document;
 
 /// Where mouse or pen was, and how hard it pressed.
 struct PointerSample
@@ -28,7 +27,7 @@ public:
     {
     }
 
-    void begin(const Brush& brush, double time);
+    void begin(const Brush& brush, double time, StrokePace pace = StrokePace::AtOnce);
     /// \param hit            what the pointer is over, if anything
     /// \param worldPerPixel  length of a device pixel there
     void

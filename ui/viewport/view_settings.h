@@ -7,6 +7,7 @@
 #include "core/paint/brush.h"
 #include "render/filtering.h"
 #include "render/look.h"
+#include "render/paint_on_card.h"
 #include "ui/viewport/comparison.h"
 
 namespace trixel::ui {
@@ -36,7 +37,7 @@ struct ViewOptions
     ViewMapKind map = ViewMapKind::None;
     render::Filtering filtering = render::Filtering::Texels;
     bool limitSurface = false; ///< the cage's smooth surface in place of the cage
-    bool paintOnCard = false;  ///< large dabs show before the store has them
+    render::PaintOnCard paintOnCard = render::PaintOnCard::WhereFaster;
     bool hud = false;          ///< figures of the frame over the picture
     int cardBudget = 512;      ///< MiB of texels on the graphics card
 

@@ -91,6 +91,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     setAccessibleDescription(tr("Shows the surface and its texels; paints on them"));
     connect(&document, &Document::opened, this, [this] { d->takeSurface(); });
     connect(&document, &Document::changed, this, [this](const Change& c) { d->takeChange(c); });
+    d->watchPainting();
     connect(&settings, &ViewSettings::viewChanged, this, [this] { d->takeView(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->takeLook(); });
     connect(&settings, &ViewSettings::comparisonChanged, this, [this] { d->takeComparison(); });
@@ -234,6 +235,11 @@ void Viewport::settle()
     d->canvas->makeCurrent();
     d->sendMesh();
     d->finishTexels();
+    while (d->painting.isGivingBack() && d->shownSurface) {
+        d->drawPreview();
+        d->finishTexels();
+        d->previewDrawn();
+    }
     d->canvas->doneCurrent();
     d->redraw();
 }

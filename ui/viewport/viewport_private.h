@@ -10,6 +10,7 @@
 #include "ui/document/inspection.h"
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/card_streaming.h"
+#include "ui/viewport/card_painting.h"
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
@@ -65,6 +66,11 @@ public:
     void takeLook();
     /// The texels that are shown.
     const TexelStore& texels() const { return otherTexels ? *otherTexels : document.texels(); }
+    /// Those that the card holds: without a stroke that it shows over them.
+    const TexelStore& sentTexels() const
+    {
+        return !otherTexels && painting.sent() != nullptr ? *painting.sent() : texels();
+    }
     void setOtherTexels(std::optional<TexelStore> others);
     void makeCanvas();
     void makeRenderer();
@@ -119,6 +125,13 @@ public:
     void outlineReady();
     void beginSelecting(const PointerEvent& event);
     void selectTo(glm::dvec2 position);
+
+    // viewport_painting.cpp: strokes that the card shows first
+    void watchPainting();
+    StrokePace paceAt(const Brush& brush, glm::dvec2 position);
+    void placeFill(const std::vector<FaceId>& faces, const std::array<float, 4>& color);
+    void drawPreview();
+    void previewDrawn();
 
     // viewport_tools.cpp: what the pointer does
     void press(const PointerEvent& event);
@@ -180,6 +193,7 @@ public:
     glm::dvec2 lastPosition{0};
     std::optional<SurfacePoint> brushDragPoint; ///< where the ring stays meanwhile
     StrokeInput stroke;
+    CardPainting painting;
     bool penStroke = false; ///< the pen is down: mouse events are its echo
 
 private:

@@ -28,6 +28,7 @@ void Viewport::Private::takeSurface()
     stroke.forgetLastPoint();
     interaction = Interaction::None;
     shownTexels.forget();
+    painting.forget();
     meshDirty = true;
     texelsDirty = true;
     normals.clear();
@@ -59,7 +60,9 @@ void Viewport::Private::takeChange(const Change& change)
     if (otherTexels) {
         setOtherTexels(std::nullopt);
     } else if (renderer && !texelsDirty) {
-        touchTexels(change, render::Side::A);
+        if (!painting.hold(change, document.texels())) {
+            touchTexels(change, render::Side::A);
+        }
         if (comparison.by == ComparedBy::Level && !otherSideDirty) {
             touchTexels(change, render::Side::B);
         }
@@ -75,7 +78,8 @@ void Viewport::Private::touchTexels(const Change& change, render::Side side)
     if (change.rects.empty()) {
         renderer->touchAllTexels(side);
     } else {
-        renderer->touchTexels(document.texels(), change.rects, side);
+        const bool isA = side == render::Side::A;
+        renderer->touchTexels(isA ? sentTexels() : document.texels(), change.rects, side);
     }
 }
 
@@ -143,6 +147,7 @@ void Viewport::Private::makeRenderer()
         return;
     }
     renderer = std::move(*made);
+    painting.forgetCard();
     renderer->setLook(settings.look());
     meshDirty = true; // and with it all that is shown on it
 }
@@ -157,7 +162,9 @@ void Viewport::Private::draw()
     clock.start();
     fitCamera(); // the window may have come to a screen of another density
     sendMesh();
+    drawPreview();
     sendTexels(kUploadMs);
+    previewDrawn();
     sendPicture(render::Side::A);
     sendPicture(render::Side::B);
     sendFaceColors();
@@ -215,7 +222,7 @@ void Viewport::Private::prepareTexels()
 {
     renderer->setCardBudget(static_cast<std::uint64_t>(shownView.cardBudget) << 20U);
     if (std::exchange(texelsDirty, false)) {
-        renderer->setTexels(texels(), shownView.mipDrop);
+        renderer->setTexels(sentTexels(), shownView.mipDrop);
     }
     prepareOtherSide();
 }
@@ -227,7 +234,7 @@ void Viewport::Private::sendTexels(double milliseconds)
         return;
     }
     prepareTexels();
-    bool hasMore = streaming.send(*renderer, camera, texels(), render::Side::A, milliseconds);
+    bool hasMore = streaming.send(*renderer, camera, sentTexels(), render::Side::A, milliseconds);
     if (hasOtherTexels()) {
         const bool hasOthers =
             streaming.send(*renderer, camera, otherSideTexels(), render::Side::B, milliseconds);
@@ -246,7 +253,7 @@ void Viewport::Private::finishTexels()
         return;
     }
     prepareTexels();
-    streaming.finish(*renderer, camera, texels(), render::Side::A);
+    streaming.finish(*renderer, camera, sentTexels(), render::Side::A);
     if (hasOtherTexels()) {
         streaming.finish(*renderer, camera, otherSideTexels(), render::Side::B);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/view_actions.h"
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
@@ -59,6 +60,7 @@ ViewActions::ViewActions(const Document& document,
               {},
               &ViewOptions::hud);
     makeMips();
+    makePaintOnCard();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
     connect(&document, &Document::opened, this, [this] { listMips(0); });
     connect(
@@ -101,6 +103,29 @@ void ViewActions::makeMips()
     connect(m_mips, &QComboBox::activated, this, &ViewActions::setMipDrop);
 }
 
+/// Three commands, of which one is chosen.
+void ViewActions::makePaintOnCard()
+{
+    const ActionMaker make(m_window);
+    m_paintOnCard = {
+        make.toggle(tr("Paint on Card: &Never"), tr("Show every stroke when the texels have it")),
+        make.toggle(tr("Paint on Card: Where &Faster"),
+                    tr("Show large dabs by the graphics card before the texels have "
+                       "them, where it was measured to be faster")),
+        make.toggle(tr("Paint on Card: &Always"),
+                    tr("Show every stroke by the graphics card before the texels have "
+                       "it"))};
+    auto* group = new QActionGroup(this);
+    for (std::size_t k = 0; k < m_paintOnCard.size(); ++k) {
+        group->addAction(m_paintOnCard[k]);
+        connect(m_paintOnCard[k], &QAction::triggered, this, [this, k] {
+            ViewOptions view = m_settings.view();
+            view.paintOnCard = static_cast<render::PaintOnCard>(k);
+            m_settings.setView(view);
+        });
+    }
+}
+
 void ViewActions::listMips(int drop)
 {
     // The finest level decides how many steps change anything.
@@ -129,6 +154,7 @@ void ViewActions::follow()
     for (const auto& [action, option] : m_switches) {
         action->setChecked(m_settings.view().*option);
     }
+    m_paintOnCard[static_cast<std::size_t>(m_settings.view().paintOnCard)]->setChecked(true);
     const int drop = m_settings.view().mipDrop;
     m_mips->setCurrentIndex(drop);
     m_mips->setEnabled(m_document.isOpen());
@@ -149,6 +175,11 @@ void ViewActions::fillMenu(QMenu& menu)
     menu.addSeparator();
     menu.addAction(m_coarser);
     menu.addAction(m_finer);
+    QMenu* painting = menu.addMenu(tr("&Paint on Card"));
+    painting->setToolTipsVisible(true);
+    for (QAction* action : m_paintOnCard) {
+        painting->addAction(action);
+    }
 }
 
 void ViewActions::fillToolBar(QToolBar& bar)

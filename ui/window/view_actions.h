@@ -5,6 +5,10 @@
 
 #include "ui/viewport/view_settings.h"
 
+#include <array>
+#include <utility>
+#include <vector>
+
 class QAction;
 class QComboBox;
 class QMenu;
@@ -37,6 +41,7 @@ private:
                        const QString& iconName,
                        bool ViewOptions::*option);
     void makeMips();
+    void makePaintOnCard();
     void setMipDrop(int drop);
     /// \param drop  shown then, if there are as many mips
     void listMips(int drop);
@@ -51,6 +56,7 @@ private:
     QAction* m_coarser = nullptr;
     QAction* m_finer = nullptr;
     QComboBox* m_mips = nullptr;
+    std::array<QAction*, 3> m_paintOnCard{}; ///< by choice
 };
 
 } // namespace trixel::ui
