@@ -36,6 +36,8 @@ struct Contributions
     std::vector<Contribution> texels;
     double sum = 0;    ///< of all weights: 1 to rounding where everything that is read was found
     double joined = 0; ///< of the weights that stand for several texels together
+
+    bool operator==(const Contributions&) const = default;
 };
 
 /// How far weights are looked for. What is beyond is joined into coarser texels, or refused.

@@ -14,6 +14,7 @@
 
 #include "core/texture/texel_address.h"
 #include "ui/docks/readout_text.h"
+#include "ui/docks/steady_label.h"
 #include "ui/docks/swatches.h"
 #include "ui/document/document.h"
 #include "ui/document/inspection.h"
@@ -212,16 +213,14 @@ QLabel& ReadoutPanel::addRow(QFormLayout& form,
     value->setAccessibleName(name);
     value->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    // The longest values must not widen the dock.
-    value->setMinimumWidth(1);
-    value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* room = new SteadyLabel(value, {});
     if (beside != nullptr) {
         auto* row = new QHBoxLayout;
-        row->addWidget(value, 1);
+        row->addWidget(room, 1);
         row->addWidget(beside);
         form.addRow(label, row);
     } else {
-        form.addRow(label, value);
+        form.addRow(label, room);
     }
     m_rows[name] = {label, value};
     return *value;

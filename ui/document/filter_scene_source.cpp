@@ -2,6 +2,7 @@
 #include "ui/document/filter_scene_source.h"
 
 #include "ui/document/document.h"
+#include "ui/document/released_elsewhere.h"
 
 #include <algorithm>
 #include <optional>
@@ -123,7 +124,8 @@ void FilterSceneSource::build()
             if (!built) {
                 return tl::unexpected(built.error());
             }
-            auto scene = std::make_shared<const FilterScene>(std::move(*built));
+            const auto scene =
+                releasedElsewhere(std::make_unique<const FilterScene>(std::move(*built)));
             return Made{
                 shape, scene, ValueBounds::of(scene->mips(), Threads::all()), bytesOf(*scene)};
         },
@@ -139,7 +141,7 @@ void FilterSceneSource::update()
          bounds = m_bounds,
          store = m_document.texels(),
          rects = std::exchange(m_touched, {})](Progress& /*progress*/) mutable -> Result<Made> {
-            auto next = std::make_shared<FilterScene>(*scene);
+            auto next = std::make_unique<FilterScene>(*scene);
             next->update(store, rects);
             std::optional<FaceId> last; // a stroke names its faces in runs
             for (const TouchedRect& rect : rects) {
@@ -147,7 +149,11 @@ void FilterSceneSource::update()
                     bounds.add(next->mips(), rect.face);
                 }
             }
-            return Made{shape, next, std::move(bounds), bytesOf(*next)};
+            const std::size_t bytes = bytesOf(*next);
+            return Made{shape,
+                        releasedElsewhere<const FilterScene>(std::move(next)),
+                        std::move(bounds),
+                        bytes};
         },
         [this, generation = m_generation](const Result<Made>& made) { take(generation, made); });
 }

@@ -6,6 +6,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/document/released_elsewhere.h"
 #include "ui/viewport/hover_filter.h"
 #include "ui/viewport/view_settings.h"
 
@@ -86,13 +87,13 @@ FootprintAnswers::FootprintAnswers(const Document& document,
     , m_document(document)
     , m_settings(settings)
     , m_source(source)
+    , m_bench(releasedElsewhere(std::make_unique<Bench>()))
 {
     connect(&settings, &ViewSettings::methodChanged, this, &FootprintAnswers::askAgain);
     connect(&source, &FilterSceneSource::changed, this, &FootprintAnswers::askAgain);
     connect(&document, &Document::opened, this, [this] {
         ++m_generation;
         m_hasDecided = false;
-        m_bench = std::make_shared<Bench>();
         ask(std::nullopt);
     });
     connect(&m_watcher, &QFutureWatcherBase::resultReadyAt, this, [this](int index) {
@@ -131,6 +132,7 @@ void FootprintAnswers::ask(const std::optional<PlacedFootprint>& footprint)
         m_answer.reset();
         m_reason.clear();
         m_source.want(*this, false);
+        m_bench = releasedElsewhere(std::make_unique<Bench>()); // which keeps a scene
         m_hasDecided = false;
         emit changed();
         return;

@@ -108,7 +108,7 @@ private:
     FilterSceneSource& m_source;
     BackgroundJobs m_jobs;
     QFutureWatcher<FootprintAnswer> m_watcher;
-    std::shared_ptr<Bench> m_bench = std::make_shared<Bench>();
+    std::shared_ptr<Bench> m_bench;
     std::optional<PlacedFootprint> m_question; ///< the newest
     std::optional<FootprintAnswer> m_answer;
     QString m_reason;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -20,6 +21,9 @@ constexpr int kEllipsePoints = 96;
 constexpr double kInset = 0.15;
 /// Of the largest weight: texels that count less stay as they are.
 constexpr double kLeastShare = 0.02;
+/// Lines that are drawn larger reach further than filters do: the parallelogram's corners are √2
+/// from the centre.
+constexpr double kLinesCut = 1.8;
 
 struct Part
 {
@@ -155,6 +159,41 @@ weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::si
         line.width = 1.0F + 1.5F * static_cast<float>(std::sqrt(share));
         line.outlined = false; // they would hide small texels
         lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+double magnificationOf(const ProbedFootprint& probed, bool enlarged)
+{
+    const bool pixel =
+        probed.source == FootprintSource::Screen || probed.source == FootprintSource::Tilted;
+    return pixel && enlarged ? kFootprintEnlarged : 1.0;
+}
+
+std::vector<render::Polyline>
+marksOnSurface(const Surface& surface, const TexelStore& texels, const FootprintMarks& marks)
+{
+    std::vector<render::Polyline> lines;
+    const auto add = [&](const ProbedFootprint& probed, FootprintRole role) {
+        const double magnification = magnificationOf(probed, marks.enlarged);
+        PlacedFootprint larger = probed.placed;
+        larger.footprint.w1 *= magnification;
+        larger.footprint.w2 *= magnification;
+        NetLimits limits;
+        limits.cut = kLinesCut;
+        const FootprintNet net =
+            footprintNet(surface.mesh(), surface.adjacency(), texels, larger, limits);
+        std::ranges::move(footprintOnSurface(net, surface.mesh(), role, magnification == 1.0),
+                          std::back_inserter(lines));
+    };
+    if (marks.live != nullptr && marks.weights != nullptr) {
+        lines = weightsOnSurface(surface.mesh(), *marks.weights);
+    }
+    if (marks.frozen != nullptr) {
+        add(*marks.frozen, FootprintRole::Frozen);
+    }
+    if (marks.live != nullptr) {
+        add(*marks.live, FootprintRole::Live);
     }
     return lines;
 }

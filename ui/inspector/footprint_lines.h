@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/filter/footprint_net.h"
+#include "core/mesh/surface.h"
 #include "render/overlay_pass.h"
+#include "ui/inspector/footprint_probe.h"
 
 #include <span>
 #include <vector>
@@ -31,5 +33,21 @@ std::vector<render::Polyline> footprintOnSurface(const FootprintNet& net,
 /// Outlines of the heaviest texels in the colours of their weights.
 std::vector<render::Polyline>
 weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::size_t most = 256);
+
+/// What is drawn of footprints on the surface; null is left out.
+struct FootprintMarks
+{
+    const ProbedFootprint* live = nullptr;
+    const ProbedFootprint* frozen = nullptr;
+    const Contributions* weights = nullptr; ///< of the live one
+    bool enlarged = true;                   ///< those of pixels, which are a pixel large
+};
+
+/// How many times larger the footprint of a pixel is drawn on the surface.
+inline constexpr double kFootprintEnlarged = 40.0;
+double magnificationOf(const ProbedFootprint& probed, bool enlarged);
+
+std::vector<render::Polyline>
+marksOnSurface(const Surface& surface, const TexelStore& texels, const FootprintMarks& marks);
 
 } // namespace trixel::ui

@@ -2,21 +2,18 @@
 #include "ui/inspector/footprint_panel.h"
 
 #include <QApplication>
-#include <QBoxLayout>
 #include <QCheckBox>
 #include <QClipboard>
-#include <QComboBox>
-#include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QSignalBlocker>
-#include <QToolButton>
+#include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
-#include "ui/docks/method_box.h"
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
 #include "ui/document/inspection.h"
+#include "ui/inspector/footprint_choices.h"
 #include "ui/inspector/footprint_lines.h"
 #include "ui/inspector/footprint_net_view.h"
 #include "ui/inspector/footprint_table.h"
@@ -25,15 +22,17 @@
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
 
+#include <utility>
+
 namespace trixel::ui {
 
 namespace {
 
 constexpr int kWide = 620; // from here on net and numbers stand side by side
+constexpr int kMargin = 8;
+constexpr int kSweepPage = 2;
 constexpr int kSweepPauseMs = 150;
 constexpr int kSweepStep = 2; // degrees
-/// Lines that are drawn larger reach further than filters do.
-constexpr double kLinesCut = 1.8;
 
 } // namespace
 
@@ -45,6 +44,9 @@ FootprintPanel::FootprintPanel(const FootprintWork& work, QWidget* parent)
     , m_answers(new FootprintAnswers(work.document, work.settings, work.filterScene, this))
     , m_frozenAnswers(new FootprintAnswers(work.document, work.settings, work.filterScene, this))
     , m_sweep(new FootprintSweep(this))
+    , m_choices(new FootprintChoices(work.settings))
+    , m_splitter(new QSplitter(Qt::Vertical))
+    , m_pages(new QTabWidget)
     , m_view(new FootprintNetView)
     , m_table(new FootprintTable)
     , m_sweepBar(new SweepBar)
@@ -56,22 +58,21 @@ FootprintPanel::FootprintPanel(const FootprintWork& work, QWidget* parent)
     m_refresh.setInterval(0);
     m_sweepPause.setSingleShot(true);
     m_sweepPause.setInterval(kSweepPauseMs);
-
-    auto* content = new QWidget;
-    m_columns = new QBoxLayout(QBoxLayout::TopToBottom, content);
-    m_columns->setContentsMargins(8, 8, 8, 8);
-    m_columns->setSpacing(8);
-    m_columns->addWidget(makeChoices(), 3);
-    m_columns->addWidget(makeNumbers(), 2);
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* picture = new QWidget;
+    auto* column = new QVBoxLayout(picture);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(m_choices);
+    column->addWidget(m_view, 1);
+    makePages();
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(picture);
+    m_splitter->addWidget(m_pages);
+    m_splitter->setStretchFactor(0, 3);
+    m_splitter->setStretchFactor(1, 2);
     auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scroll);
+    outer->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    outer->addWidget(m_splitter);
     join();
 }
 
@@ -81,91 +82,61 @@ FootprintPanel::~FootprintPanel()
     m_links.reset();
 }
 
-/// Where the footprint comes from, its picture and what may be dragged.
-QWidget* FootprintPanel::makeChoices()
+/// What stands beside or below the picture, a page at a time: the picture keeps its room.
+void FootprintPanel::makePages()
 {
-    auto* side = new QWidget;
-    auto* layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
-
-    m_source = new QComboBox;
-    m_source->addItem(tr("Screen"), static_cast<int>(FootprintSource::Screen));
-    m_source->addItem(tr("Texture-aligned"), static_cast<int>(FootprintSource::TextureAligned));
-    m_source->addItem(tr("By hand"), static_cast<int>(FootprintSource::ByHand));
-    m_source->addItem(tr("Tilted view"), static_cast<int>(FootprintSource::Tilted));
-    m_source->setAccessibleName(tr("Source of the footprint"));
-    m_source->setToolTip(
-        tr("Where W1 and W2 come from: the pixel that sees this point, a box along "
-           "u and v, your hand, or a view tilted over the point"));
-    m_freeze = new QToolButton;
-    m_freeze->setText(tr("Freeze"));
-    m_freeze->setCheckable(true);
-    m_freeze->setAccessibleName(tr("Freeze the footprint"));
-    m_freeze->setToolTip(tr("Keep this footprint, then orbit or point elsewhere and compare"));
-    auto* method = new MethodBox(m_work.settings);
-    m_colouring = new QComboBox;
-    m_colouring->addItem(tr("Weights of the method"));
-    m_colouring->addItem(tr("Weights of exact"));
-    m_colouring->addItem(tr("Texel values"));
-    m_colouring->setAccessibleName(tr("Colour of the texels"));
-    m_colouring->setToolTip(tr("Colour texels by how much they count in the answer, or by what "
-                               "they hold"));
-    for (QComboBox* box : {m_source, m_colouring, static_cast<QComboBox*>(method)}) {
-        box->setMinimumWidth(60);
-        box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    }
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(4);
-    const auto label = [](const QString& text, QWidget* buddy) {
-        auto* result = new QLabel(text);
-        result->setBuddy(buddy);
-        return result;
-    };
-    grid->addWidget(label(tr("&From"), m_source), 0, 0);
-    grid->addWidget(m_source, 0, 1);
-    grid->addWidget(m_freeze, 0, 2);
-    grid->addWidget(label(tr("Me&thod"), method), 1, 0);
-    grid->addWidget(method, 1, 1, 1, 2);
-    grid->addWidget(label(tr("&Colour"), m_colouring), 2, 0);
-    grid->addWidget(m_colouring, 2, 1, 1, 2);
-    grid->setColumnStretch(1, 1);
-    layout->addLayout(grid);
-    layout->addWidget(m_view, 1);
-    m_view->setMinimumHeight(240);
-
-    m_vectors = new FootprintVectors;
-    layout->addWidget(m_vectors);
-    m_onSurface = new QCheckBox(tr("&Weights on the surface"));
-    m_onSurface->setToolTip(tr("Outline the texels that count on the surface, too, in the colours "
-                               "of their weights"));
-    m_enlarge = new QCheckBox(tr("&Enlarge pixels %1×").arg(kEnlarged));
-    m_enlarge->setToolTip(tr("A pixel's footprint is a pixel large on the screen: draw it so many "
-                             "times larger on the surface"));
-    m_enlarge->setChecked(true);
-    layout->addWidget(m_onSurface);
-    layout->addWidget(m_enlarge);
-    return side;
+    m_pages->setDocumentMode(true);
+    m_pages->setAccessibleName(tr("Numbers, vectors and sweep of the footprint"));
+    m_pages->tabBar()->setAccessibleName(m_pages->accessibleName());
+    m_pages->setToolTip(tr("What the footprint is, how to change it, and how it fares when the "
+                           "view tilts"));
+    m_pages->tabBar()->setToolTip(m_pages->toolTip());
+    m_pages->addTab(makeNumbers(), tr("Numbers"));
+    m_pages->addTab(makeVectors(), tr("Vectors"));
+    auto* sweep = new QWidget;
+    auto* column = new QVBoxLayout(sweep);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->addWidget(m_sweepBar);
+    column->addStretch(1);
+    m_pages->addTab(sweep, tr("Sweep"));
 }
 
 QWidget* FootprintPanel::makeNumbers()
 {
-    auto* side = new QWidget;
-    auto* layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addWidget(m_sweepBar);
-    layout->addWidget(m_table);
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(m_table, 1);
     auto* copy = new QPushButton(tr("Copy n&umbers"));
     copy->setToolTip(tr("Copy every line, with those of the frozen footprint, to the clipboard"));
     copy->setAccessibleName(tr("Copy the numbers of the footprint"));
     connect(copy, &QPushButton::clicked, this, [this] {
         QApplication::clipboard()->setText(m_table->text());
     });
-    layout->addWidget(copy, 0, Qt::AlignLeft);
-    layout->addStretch(1);
-    return side;
+    column->addWidget(copy, 0, Qt::AlignLeft);
+    return page;
+}
+
+QWidget* FootprintPanel::makeVectors()
+{
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->setSpacing(6);
+    m_vectors = new FootprintVectors;
+    column->addWidget(m_vectors);
+    m_onSurface = new QCheckBox(tr("&Weights on the surface"));
+    m_onSurface->setToolTip(tr("Outline the texels that count on the surface, too, in the colours "
+                               "of their weights"));
+    m_enlarge = new QCheckBox(tr("&Enlarge pixels %1×").arg(kFootprintEnlarged));
+    m_enlarge->setToolTip(tr("A pixel's footprint is a pixel large on the screen: draw it so many "
+                             "times larger on the surface"));
+    m_enlarge->setChecked(true);
+    column->addWidget(m_onSurface);
+    column->addWidget(m_enlarge);
+    column->addStretch(1);
+    return page;
 }
 
 void FootprintPanel::join()
@@ -177,39 +148,31 @@ void FootprintPanel::join()
     connect(m_probe, &FootprintProbe::changed, links, later);
     connect(m_probe, &FootprintProbe::frozenChanged, links, [this] { refreshFrozen(); });
     connect(m_probe, &FootprintProbe::sourceChanged, links, [this] {
-        const QSignalBlocker quiet(m_source);
-        m_source->setCurrentIndex(m_source->findData(static_cast<int>(m_probe->source())));
+        m_choices->setSource(m_probe->source());
         if (m_probe->source() != FootprintSource::Tilted) {
             m_sweepBar->setPlaying(false);
         }
         emit sourceChanged(m_probe->source());
     });
-    connect(m_source, &QComboBox::currentIndexChanged, this, [this] {
-        m_probe->setSource(static_cast<FootprintSource>(m_source->currentData().toInt()));
-    });
+    connect(m_choices, &FootprintChoices::sourceChosen, m_probe, &FootprintProbe::setSource);
     connect(m_view, &FootprintNetView::dragged, m_probe, &FootprintProbe::setVectors);
     connect(m_vectors, &FootprintVectors::edited, m_probe, &FootprintProbe::setVectors);
     connect(m_view, &FootprintNetView::clicked, this, [this](FaceId face, glm::dvec2 uv) {
         m_work.inspection.hold(face, glm::vec2(uv));
     });
-    connect(m_freeze, &QToolButton::toggled, this, &FootprintPanel::setFrozen);
+    connect(m_choices, &FootprintChoices::freezeToggled, this, &FootprintPanel::setFrozen);
     connect(m_onSurface, &QCheckBox::toggled, this, [this](bool shown) {
         showOnSurface();
         emit weightsOnSurfaceChanged(shown);
     });
     connect(m_enlarge, &QCheckBox::toggled, links, [this] { showOnSurface(); });
-    connect(m_colouring, &QComboBox::currentIndexChanged, this, [this] {
-        m_answers->wantWeights(true, colouring() == Colouring::ExactWeights);
+    connect(m_choices, &FootprintChoices::colouringChosen, this, [this] {
+        m_answers->wantWeights(true,
+                               m_choices->colouring() == FootprintChoices::Colouring::ExactWeights);
         showNet();
     });
-    connect(m_answers, &FootprintAnswers::changed, links, [this] {
-        showNet();
-        showNumbers();
-        if (m_onSurface->isChecked()) {
-            showOnSurface();
-        }
-    });
-    connect(m_frozenAnswers, &FootprintAnswers::changed, links, [this] { showNumbers(); });
+    connect(m_answers, &FootprintAnswers::changed, links, [this] { takeAnswer(); });
+    connect(m_frozenAnswers, &FootprintAnswers::changed, links, [this] { showFrozenNumbers(); });
     connect(m_sweep, &FootprintSweep::changed, links, [this] {
         m_sweepBar->plot().setPoints(m_sweep->points());
     });
@@ -219,6 +182,9 @@ void FootprintPanel::join()
         m_probe->setSource(FootprintSource::Tilted);
     });
     connect(m_sweepBar, &SweepBar::playingChanged, links, [this](bool plays) {
+        if (plays) {
+            m_pages->setCurrentIndex(kSweepPage);
+        }
         emit playingChanged(plays);
     });
     connect(&m_work.viewport, &Viewport::cameraChanged, links, [this] {
@@ -250,11 +216,6 @@ void FootprintPanel::setWeightsOnSurface(bool shown)
     m_onSurface->setChecked(shown);
 }
 
-FootprintPanel::Colouring FootprintPanel::colouring() const
-{
-    return static_cast<Colouring>(m_colouring->currentIndex());
-}
-
 void FootprintPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
@@ -270,7 +231,10 @@ void FootprintPanel::hideEvent(QHideEvent* event)
 void FootprintPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    m_columns->setDirection(width() >= kWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const Qt::Orientation wanted = width() >= kWide ? Qt::Horizontal : Qt::Vertical;
+    if (m_splitter->orientation() != wanted) {
+        m_splitter->setOrientation(wanted);
+    }
 }
 
 void FootprintPanel::setActive(bool active)
@@ -311,7 +275,7 @@ void FootprintPanel::refresh()
         m_vectors->show(live->placed.footprint, 1.0 / m_net.faces.front().level.resolution());
     }
     m_vectors->setEnabled(live.has_value());
-    m_freeze->setEnabled(live.has_value() || isFrozen());
+    m_choices->setFrozen(isFrozen(), live.has_value() || isFrozen());
     m_answers->ask(live ? std::optional(live->placed) : std::nullopt);
     showNet();
     showNumbers();
@@ -321,17 +285,15 @@ void FootprintPanel::refresh()
 
 void FootprintPanel::refreshFrozen()
 {
-    const QSignalBlocker quiet(m_freeze);
-    m_freeze->setChecked(isFrozen());
-    m_freeze->setText(isFrozen() ? tr("Let go") : tr("Freeze"));
     const auto& frozen = m_probe->frozen();
+    m_choices->setFrozen(isFrozen(), m_probe->live().has_value() || isFrozen());
     if (frozen) {
         m_frozenNet = netOf(frozen->placed);
     }
     if (m_probe->isActive()) {
         m_frozenAnswers->ask(frozen ? std::optional(frozen->placed) : std::nullopt);
         showNet();
-        showNumbers();
+        showFrozenNumbers();
         showOnSurface();
     }
     emit frozenChanged(isFrozen());
@@ -352,11 +314,29 @@ void FootprintPanel::showNet()
     if (m_probe->frozen()) {
         picture.frozen = m_probe->frozen()->placed;
     }
-    picture.texels = m_work.document.texels();
-    picture.look = m_work.settings.look();
-    picture.fill =
-        colouring() == Colouring::Values ? NetPicture::Fill::Values : NetPicture::Fill::Weights;
+    if (m_choices->colouring() == FootprintChoices::Colouring::Values) {
+        picture.fill = NetPicture::Fill::Values;
+        picture.texels = m_work.document.texels();
+        picture.look = m_work.settings.look();
+    }
     m_view->show(picture);
+}
+
+/// An answer comes in parts; most of them are numbers alone.
+void FootprintPanel::takeAnswer()
+{
+    const auto& answer = m_answers->answer();
+    const auto& shown = m_view->picture();
+    const auto& weights = answer ? answer->weights : std::nullopt;
+    const bool otherWeights = shown && shown->weights != weights;
+    const bool isToCome = answer && !weights && answer->noWeights.isEmpty();
+    if (otherWeights && !isToCome) { // those shown stay until there are others
+        showNet();
+        if (m_onSurface->isChecked()) {
+            showOnSurface();
+        }
+    }
+    showNumbers();
 }
 
 std::optional<FootprintFacts> FootprintPanel::facts(const std::optional<ProbedFootprint>& probed,
@@ -366,46 +346,22 @@ std::optional<FootprintFacts> FootprintPanel::facts(const std::optional<ProbedFo
     if (!probed || net.faces.empty() || !m_work.document.isOpen()) {
         return std::nullopt;
     }
+    const auto& answer = answers.answer();
     return FootprintFacts{*probed,
                           net,
-                          answers.answer(),
-                          answers.answer() ? QString() : answers.reason(),
+                          answer ? &*answer : nullptr,
+                          answer ? QString() : answers.reason(),
                           m_work.document.texels().format().type};
 }
 
 void FootprintPanel::showNumbers()
 {
     m_table->show(facts(m_probe->live(), *m_answers, m_net));
+}
+
+void FootprintPanel::showFrozenNumbers()
+{
     m_table->showFrozen(facts(m_probe->frozen(), *m_frozenAnswers, m_frozenNet));
-}
-
-double FootprintPanel::magnificationOf(const ProbedFootprint& probed) const
-{
-    const bool pixel =
-        probed.source == FootprintSource::Screen || probed.source == FootprintSource::Tilted;
-    return pixel && m_enlarge->isChecked() ? kEnlarged : 1.0;
-}
-
-void FootprintPanel::addLines(const ProbedFootprint& probed,
-                              bool live,
-                              std::vector<render::Polyline>& lines) const
-{
-    const double magnification = magnificationOf(probed);
-    PlacedFootprint larger = probed.placed;
-    larger.footprint.w1 *= magnification;
-    larger.footprint.w2 *= magnification;
-    const Surface& surface = *m_work.document.surface();
-    NetLimits limits;
-    limits.cut = kLinesCut; // the parallelogram's corners are √2 from the centre
-    const FootprintNet net =
-        footprintNet(surface.mesh(), surface.adjacency(), m_work.document.texels(), larger, limits);
-    for (render::Polyline& line :
-         footprintOnSurface(net,
-                            surface.mesh(),
-                            live ? FootprintRole::Live : FootprintRole::Frozen,
-                            magnification == 1.0)) {
-        lines.push_back(std::move(line));
-    }
 }
 
 void FootprintPanel::showOnSurface()
@@ -413,19 +369,18 @@ void FootprintPanel::showOnSurface()
     if (!m_probe->isActive() || !m_work.document.isOpen()) {
         return;
     }
-    std::vector<render::Polyline> lines;
     const auto& answer = m_answers->answer();
-    if (m_onSurface->isChecked() && m_probe->live() && answer && answer->weights) {
-        lines = weightsOnSurface(m_work.document.surface()->mesh(), *answer->weights);
-    }
-    if (m_probe->frozen()) {
-        addLines(*m_probe->frozen(), false, lines);
-    }
-    if (m_probe->live()) {
-        addLines(*m_probe->live(), true, lines);
+    FootprintMarks marks;
+    marks.live = m_probe->live() ? &*m_probe->live() : nullptr;
+    marks.frozen = m_probe->frozen() ? &*m_probe->frozen() : nullptr;
+    marks.enlarged = m_enlarge->isChecked();
+    if (m_onSurface->isChecked() && answer && answer->weights) {
+        marks.weights = &*answer->weights;
     }
     m_work.viewport.showFootprints(
-        std::move(lines), m_probe->live() ? magnificationOf(*m_probe->live()) : 1.0, isFrozen());
+        marksOnSurface(*m_work.document.surface(), m_work.document.texels(), marks),
+        m_probe->live() ? magnificationOf(*m_probe->live(), marks.enlarged) : 1.0,
+        isFrozen());
 }
 
 void FootprintPanel::sweepLater()

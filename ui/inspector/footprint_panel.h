@@ -5,7 +5,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "render/overlay_pass.h"
 #include "ui/inspector/footprint_answers.h"
 #include "ui/inspector/footprint_probe.h"
 #include "ui/inspector/footprint_rows.h"
@@ -15,15 +14,15 @@
 #include <optional>
 #include <vector>
 
-class QBoxLayout;
 class QCheckBox;
-class QComboBox;
-class QToolButton;
+class QSplitter;
+class QTabWidget;
 
 namespace trixel::ui {
 
 class Document;
 class FilterSceneSource;
+class FootprintChoices;
 class FootprintNetView;
 class FootprintTable;
 class FootprintVectors;
@@ -49,9 +48,6 @@ class FootprintPanel : public QWidget
     Q_OBJECT
 
 public:
-    /// How many times larger the footprint of a pixel is drawn on the surface.
-    static constexpr double kEnlarged = 40.0;
-
     explicit FootprintPanel(const FootprintWork& work, QWidget* parent = nullptr);
     ~FootprintPanel() override;
 
@@ -77,27 +73,24 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    enum class Colouring { MethodWeights, ExactWeights, Values };
-
-    QWidget* makeChoices();
+    void makePages();
     QWidget* makeNumbers();
+    QWidget* makeVectors();
     void join();
     void setActive(bool active);
     void refresh();
     void refreshFrozen();
     void showNet();
+    void takeAnswer();
     void showNumbers();
+    void showFrozenNumbers();
     void showOnSurface();
     void sweepLater();
     void startSweep();
-    Colouring colouring() const;
     std::optional<FootprintFacts> facts(const std::optional<ProbedFootprint>& probed,
                                         const FootprintAnswers& answers,
                                         const FootprintNet& net) const;
     FootprintNet netOf(const PlacedFootprint& footprint) const;
-    double magnificationOf(const ProbedFootprint& probed) const;
-    void
-    addLines(const ProbedFootprint& probed, bool live, std::vector<render::Polyline>& lines) const;
 
     FootprintWork m_work;
     QPointer<Viewport> m_viewport;
@@ -112,16 +105,15 @@ private:
     QTimer m_refresh;    ///< several changes make one
     QTimer m_sweepPause; ///< the pointer moves on before a sweep is worth it
 
-    QBoxLayout* m_columns = nullptr;
-    QComboBox* m_source = nullptr;
-    QComboBox* m_colouring = nullptr;
-    QToolButton* m_freeze = nullptr;
+    FootprintChoices* m_choices;
+    QSplitter* m_splitter;
+    QTabWidget* m_pages;
     QCheckBox* m_onSurface = nullptr;
     QCheckBox* m_enlarge = nullptr;
     FootprintVectors* m_vectors = nullptr;
-    FootprintNetView* m_view = nullptr;
-    FootprintTable* m_table = nullptr;
-    SweepBar* m_sweepBar = nullptr;
+    FootprintNetView* m_view;
+    FootprintTable* m_table;
+    SweepBar* m_sweepBar;
 };
 
 } // namespace trixel::ui

@@ -39,13 +39,16 @@ QString footprintRowName(FootprintRow row);
 /// What the number means, for those who see it the first time.
 QString footprintRowTip(FootprintRow row);
 
-/// Everything a row's text may be made of.
+/// A text as long as the row's usually get, for the room that it needs.
+QString footprintRowSample(FootprintRow row);
+
+/// Everything a row's text may be made of; refers to it, for as long as texts are made.
 struct FootprintFacts
 {
-    ProbedFootprint probed;
-    FootprintNet net;
-    std::optional<FootprintAnswer> answer;
-    QString noAnswer; ///< why there is none
+    const ProbedFootprint& probed;
+    const FootprintNet& net;
+    const FootprintAnswer* answer = nullptr; ///< null where there is none
+    QString noAnswer;                        ///< why there is none
     TexelType type{};
 };
 

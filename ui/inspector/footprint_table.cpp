@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/footprint_table.h"
 
-#include <QGridLayout>
-#include <QLabel>
-#include <QResizeEvent>
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QStyledItemDelegate>
 
 #include "ui/viewport/surface_lines.h"
+
+#include <algorithm>
 
 namespace trixel::ui {
 
@@ -13,132 +17,123 @@ namespace {
 
 /// From here on the frozen numbers stand beside the live ones.
 constexpr int kWide = 460;
+constexpr int kCellPadding = 8;
+constexpr int kRowPadding = 2;
+constexpr int kLeastRows = 4;
 
-FootprintRow rowAt(std::size_t index)
+/// The frozen numbers in the colour of its lines, as dark as paper needs it.
+class Delegate : public QStyledItemDelegate
 {
-    return static_cast<FootprintRow>(index);
-}
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (index.data(FootprintModel::kFrozenRole).toBool()) {
+            const bool dark = option->palette.color(QPalette::Base).lightness() < 128;
+            option->palette.setColor(
+                QPalette::Text,
+                dark ? QColor::fromRgbF(kFrozenColor.r, kFrozenColor.g, kFrozenColor.b)
+                     : QColor(0x9c, 0x1f, 0x8a));
+        }
+    }
+};
 
 } // namespace
 
 FootprintTable::FootprintTable(QWidget* parent)
-    : QWidget(parent)
-    , m_grid(new QGridLayout(this))
+    : QTableView(parent)
+    , m_model(new FootprintModel(this))
 {
-    m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setHorizontalSpacing(10);
-    m_grid->setVerticalSpacing(2);
-    const auto valueLabel = [this](const QString& name, const QString& toolTip) {
-        auto* label = new QLabel(this);
-        label->setAccessibleName(name);
-        label->setToolTip(toolTip);
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-        label->setMinimumWidth(1);
-        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        return label;
-    };
-    for (std::size_t k = 0; k < kFootprintRows; ++k) {
-        const QString name = footprintRowName(rowAt(k));
-        const QString toolTip = footprintRowTip(rowAt(k));
-        m_names[k] = new QLabel(name, this);
-        m_names[k]->setToolTip(toolTip);
-        m_names[k]->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-        m_values[k] = valueLabel(name.trimmed(), toolTip);
-        m_frozen[k] = valueLabel(tr("%1 of the frozen footprint").arg(name.trimmed()), toolTip);
-    }
-    place();
-    colorFrozen();
-    show(std::nullopt);
-    showFrozen(std::nullopt);
+    setModel(m_model);
+    setItemDelegate(new Delegate(this));
+    setAccessibleName(tr("The footprint in numbers"));
+    setToolTip(tr("Numbers of the footprint; Ctrl+C copies those that are selected"));
+    setFrameShape(QFrame::NoFrame);
+    setShowGrid(false);
+    setWordWrap(true);
+    setAlternatingRowColors(true);
+    setTabKeyNavigation(false);
+    setSelectionBehavior(SelectRows);
+    setEditTriggers(NoEditTriggers);
+    setVerticalScrollMode(ScrollPerPixel);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    horizontalHeader()->hide();
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(1);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &FootprintTable::arrange);
+    arrange();
 }
 
-void FootprintTable::place()
+QSize FootprintTable::minimumSizeHint() const
 {
-    for (std::size_t k = 0; k < kFootprintRows; ++k) {
-        const int row = 2 * static_cast<int>(k);
-        m_grid->addWidget(m_names[k], row, 0);
-        m_grid->addWidget(m_values[k], row, 1);
-        m_grid->addWidget(m_frozen[k], m_isWide ? row : row + 1, m_isWide ? 2 : 1);
-    }
-    m_grid->setColumnStretch(1, 1);
-    m_grid->setColumnStretch(2, m_isWide && m_hasFrozen ? 1 : 0);
+    return {160, kLeastRows * (fontMetrics().lineSpacing() + kRowPadding)};
 }
 
-/// The frozen numbers in the colour of its lines, as dark as paper needs it.
-void FootprintTable::colorFrozen()
+void FootprintTable::arrange()
 {
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText,
-                    dark ? QColor::fromRgbF(kFrozenColor.r, kFrozenColor.g, kFrozenColor.b)
-                         : QColor(0x9c, 0x1f, 0x8a));
-    for (QLabel* label : m_frozen) {
-        label->setPalette(colors);
+    // As if the scroll bar stood there always: whether it does must not change what is shown.
+    const int room = width() - style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    const QFontMetrics metrics = fontMetrics();
+    int names = 0;
+    for (int line = 0; line < m_model->rowCount(); ++line) {
+        const QString name = m_model->index(line, FootprintModel::Name).data().toString();
+        names = std::max(names, metrics.horizontalAdvance(name));
+    }
+    names += kCellPadding;
+    const int columns = m_model->columnCount() - 1;
+    const int values = std::max(1, (room - names) / columns);
+    setColumnWidth(FootprintModel::Name, names);
+    for (int column = 1; column <= columns; ++column) {
+        setColumnWidth(column, values);
+    }
+    const QRect inside(0, 0, std::max(1, values - kCellPadding), 1000);
+    for (int line = 0; line < m_model->rowCount(); ++line) {
+        const QRect text = metrics.boundingRect(
+            inside, Qt::TextWordWrap, footprintRowSample(m_model->rowAt(line)));
+        verticalHeader()->resizeSection(line, text.height() + kRowPadding);
     }
 }
 
 void FootprintTable::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        colorFrozen();
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        arrange();
     }
 }
 
 void FootprintTable::resizeEvent(QResizeEvent* event)
 {
-    QWidget::resizeEvent(event);
-    const bool wide = width() >= kWide;
-    if (wide != m_isWide) {
-        m_isWide = wide;
-        place();
-    }
+    QTableView::resizeEvent(event);
+    m_model->setFrozenBeside(width() >= kWide);
+    arrange();
 }
 
-void FootprintTable::show(const std::optional<FootprintFacts>& facts)
+void FootprintTable::keyPressEvent(QKeyEvent* event)
 {
-    for (std::size_t k = 0; k < kFootprintRows; ++k) {
-        m_values[k]->setText(facts ? footprintRowText(rowAt(k), *facts) : QString("–"));
+    if (event->matches(QKeySequence::Copy)) {
+        copySelected();
+        return;
     }
+    QTableView::keyPressEvent(event);
 }
 
-void FootprintTable::showFrozen(const std::optional<FootprintFacts>& facts)
-{
-    for (std::size_t k = 0; k < kFootprintRows; ++k) {
-        const bool told = rowAt(k) != FootprintRow::Texels && rowAt(k) != FootprintRow::Spread;
-        m_frozen[k]->setVisible(facts.has_value() && told);
-        m_frozen[k]->setText(facts ? footprintRowText(rowAt(k), *facts) : QString());
-    }
-    if (m_hasFrozen != facts.has_value()) {
-        m_hasFrozen = facts.has_value();
-        place();
-    }
-}
-
-QString FootprintTable::text(FootprintRow row) const
-{
-    return m_values[static_cast<std::size_t>(row)]->text();
-}
-
-QString FootprintTable::frozenText(FootprintRow row) const
-{
-    return m_frozen[static_cast<std::size_t>(row)]->text();
-}
-
-QString FootprintTable::text() const
+void FootprintTable::copySelected() const
 {
     QString lines;
-    for (std::size_t k = 0; k < kFootprintRows; ++k) {
-        lines +=
-            QString(m_names[k]->text().trimmed() + ": " + m_values[k]->text()).replace('\n', ' ');
-        if (m_hasFrozen && m_frozen[k]->isVisibleTo(this)) {
-            lines += QString(" | " + m_frozen[k]->text()).replace('\n', ' ');
+    for (const QModelIndex& row : selectionModel()->selectedRows()) {
+        QStringList cells;
+        for (int column = 0; column < m_model->columnCount(); ++column) {
+            cells += row.siblingAtColumn(column).data().toString().trimmed().replace('\n', ' ');
         }
-        lines += '\n';
+        lines += cells.join('\t') + '\n';
     }
-    return lines;
+    QApplication::clipboard()->setText(lines);
 }
 
 } // namespace trixel::ui

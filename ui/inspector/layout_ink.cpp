@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/layout_ink.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
+
+#include "ui/inspector/haloed_text.h"
 
 #include <algorithm>
 
@@ -12,6 +12,7 @@ namespace trixel::ui {
 namespace {
 
 constexpr int kMiddle = 128;
+constexpr double kHalo = 3;
 
 QFont scaled(const QFont& base, double factor, bool bold)
 {
@@ -53,13 +54,7 @@ void drawHaloed(QPainter& painter,
                 const QString& text,
                 const QColor& color)
 {
-    const QFontMetricsF metrics(font);
-    const QRectF bounds = metrics.tightBoundingRect(text);
-    QPainterPath path;
-    path.addText(centre - bounds.center(), font, text);
-    constexpr double kHalo = 3;
-    painter.strokePath(path, QPen(ink.halo, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, color);
+    drawHaloed(painter, {font, color, ink.halo, kHalo}, centre, text);
 }
 
 } // namespace trixel::ui

@@ -12,6 +12,7 @@
 #include <QSplitter>
 #include <QTableView>
 
+#include "ui/docks/steady_label.h"
 #include "ui/inspector/difference_legend.h"
 #include "ui/inspector/mip_model.h"
 #include "ui/inspector/mip_text.h"
@@ -77,12 +78,14 @@ MipPanel::MipPanel(Document& document,
     m_splitter->setStretchFactor(1, 0);
     column->addWidget(m_splitter, 1);
     column->addWidget(m_legend);
-    column->addWidget(m_texel);
-    column->addWidget(m_caption);
     m_texel->setAccessibleName(tr("The texel looked at"));
     m_texel->setToolTip(tr("The texel of the chosen level, and what it is the mean of"));
     m_texel->setWordWrap(true);
     m_texel->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_texelRoom = new SteadyLabel(
+        m_texel, tr("Face 1234567, level 10, texel (1023, 1023) upper   ■ averaged into   ■ mean"));
+    column->addWidget(m_texelRoom);
+    column->addWidget(m_caption);
     m_caption->setAccessibleName(tr("What is shown"));
     m_caption->setToolTip(tr("How this reduction makes a coarser texel"));
     m_caption->setWordWrap(true);
@@ -241,7 +244,7 @@ void MipPanel::showFace()
 {
     const bool hasFace = m_focus.face().has_value();
     m_table->setVisible(hasFace);
-    m_texel->setVisible(hasFace);
+    m_texelRoom->setVisible(hasFace);
     m_legend->setRange(m_focus.levels() != nullptr ? m_focus.levels()->worstDifference() : 0);
     showTexel();
 }

@@ -73,6 +73,7 @@ private:
     QButtonGroup* m_texels = nullptr;
     QCheckBox* m_trueSize = nullptr;
     QLabel* m_texel;
+    QWidget* m_texelRoom = nullptr;
     QLabel* m_caption;
     bool m_isArranged = false;
     bool m_isFollowing = false; ///< the table follows the level, not the other way round

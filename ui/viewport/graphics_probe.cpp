@@ -2,6 +2,7 @@
 #include "ui/viewport/graphics_probe.h"
 
 #include <QByteArray>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -14,6 +15,15 @@ namespace trixel::ui {
 namespace {
 
 constexpr int kSamples = 4;
+
+/// Whether widgets can hold pictures of OpenGL here. Platforms without windows of their own make
+/// contexts where a display happens to be told, but a QOpenGLWidget then draws into nothing and
+/// ends the program.
+bool hasCanvases()
+{
+    const QString platform = QGuiApplication::platformName();
+    return platform != "offscreen" && !platform.startsWith("minimal");
+}
 
 QSurfaceFormat plainFormat()
 {
@@ -28,6 +38,9 @@ QSurfaceFormat plainFormat()
 
 std::optional<QSurfaceFormat> probe()
 {
+    if (!hasCanvases()) {
+        return std::nullopt;
+    }
     QSurfaceFormat format = plainFormat();
     QOffscreenSurface surface;
     surface.setFormat(format);

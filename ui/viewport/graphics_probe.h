@@ -8,8 +8,9 @@
 namespace trixel::ui {
 
 /// What the view asks for: OpenGL 4.1 core with a depth buffer; edges are smoothed where a graphics
-/// card does it for free, not where the processor draws. Nothing where a context cannot be made:
-/// there a QOpenGLWidget would take the whole window down with it. Tried once.
+/// card does it for free, not where the processor draws. Nothing where a context cannot be made, or
+/// the platform has no windows for it: there a QOpenGLWidget would take the whole window down with
+/// it. Tried once.
 std::optional<QSurfaceFormat> usableFormat();
 
 } // namespace trixel::ui

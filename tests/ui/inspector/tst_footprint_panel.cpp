@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The footprint panel as its user meets it: with mouse and keys.
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 
@@ -82,6 +85,19 @@ struct Bench
     }
     const Footprint& footprint() const { return panel->probe().live()->placed.footprint; }
     QString row(FootprintRow row) const { return panel->table().text(row); }
+    /// By a click on its tab.
+    void openPage(const QString& title)
+    {
+        auto* bar = panel->findChild<QTabBar*>();
+        for (int k = 0; k < bar->count(); ++k) {
+            if (bar->tabText(k) == title) {
+                QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(k).center());
+                QCOMPARE(bar->currentIndex(), k);
+                return;
+            }
+        }
+        QFAIL("there is no such page");
+    }
 
     /// Drags a handle of the net by so many pixels, as a hand does: in small steps.
     glm::dvec2 drag(NetHandle handle, QPoint by)
@@ -111,6 +127,24 @@ T* named(const QWidget& parent, const QString& name)
     }
     return nullptr;
 }
+
+/// How often a widget is drawn.
+class PaintCount : public QObject
+{
+public:
+    explicit PaintCount(QWidget& widget) { widget.installEventFilter(this); }
+    int paints() const { return m_paints; }
+
+protected:
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override
+    {
+        m_paints += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+
+private:
+    int m_paints = 0;
+};
 
 double distance(glm::dvec2 a, glm::dvec2 b)
 {
@@ -188,7 +222,9 @@ private slots:
     {
         Bench bench;
         bench.point();
+        bench.openPage("Vectors");
         auto* box = named<QDoubleSpinBox>(*bench.panel, "W2 along u");
+        QVERIFY(box->isVisible());
         box->setFocus();
         box->selectAll();
         QTest::keyClicks(box, "0.125");
@@ -212,6 +248,7 @@ private slots:
         QVERIFY(bench.footprint().w1.x > 0 && bench.footprint().w2.y > 0);
         QCoreApplication::processEvents(); // the numbers follow
         // It stays one as long as it is along the axes.
+        bench.openPage("Vectors");
         auto* box = named<QDoubleSpinBox>(*bench.panel, "W1 along u");
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Up);
@@ -261,6 +298,7 @@ private slots:
         Bench bench;
         bench.point();
         const render::CameraPose pose = bench.viewport.camera().pose();
+        bench.openPage("Sweep");
         auto* play = named<QToolButton>(*bench.panel, "Play the sweep");
         QTest::mouseClick(play, Qt::LeftButton);
         QVERIFY(bench.panel->sweepBar().isPlaying());
@@ -385,19 +423,97 @@ private slots:
         Bench bench;
         bench.point();
         int controls = 0;
-        for (const QWidget* widget : bench.panel->findChildren<QWidget*>()) {
-            if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(bench.panel.get()) ||
-                widget->inherits("QLineEdit") || widget->inherits("QScrollBar")) {
-                continue;
+        for (const QString page : {"Numbers", "Vectors", "Sweep"}) {
+            bench.openPage(page);
+            for (const QWidget* widget : bench.panel->findChildren<QWidget*>()) {
+                if (widget->focusPolicy() == Qt::NoFocus ||
+                    !widget->isVisibleTo(bench.panel.get()) || widget->inherits("QLineEdit") ||
+                    widget->inherits("QScrollBar")) {
+                    continue;
+                }
+                ++controls;
+                const auto* button = qobject_cast<const QAbstractButton*>(widget);
+                const bool isNamed = !widget->accessibleName().isEmpty() ||
+                                     (button != nullptr && !button->text().isEmpty());
+                QVERIFY2(isNamed, widget->metaObject()->className());
+                QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->accessibleName()));
             }
-            ++controls;
-            const auto* button = qobject_cast<const QAbstractButton*>(widget);
-            const bool isNamed = !widget->accessibleName().isEmpty() ||
-                                 (button != nullptr && !button->text().isEmpty());
-            QVERIFY2(isNamed, widget->metaObject()->className());
-            QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->accessibleName()));
         }
         QVERIFY(controls >= 12);
+    }
+
+    void playingTheSweepShowsItsPage()
+    {
+        Bench bench;
+        bench.point();
+        QVERIFY(!bench.panel->sweepBar().isVisible());
+        bench.panel->sweepBar().setPlaying(true);
+        QVERIFY(bench.panel->sweepBar().isVisible());
+        bench.panel->sweepBar().setPlaying(false);
+    }
+
+    void netKeepsItsRoomInALowPanel()
+    {
+        Bench bench;
+        bench.panel->resize(310, 440); // beside the brush in a window 900 pixels high
+        bench.point();
+        QTRY_VERIFY(bench.panel->netView().height() >= 140);
+        QCOMPARE(bench.panel->size(), QSize(310, 440));
+        QVERIFY(!bench.panel->netView().visibleRegion().isEmpty());
+        QCOMPARE(bench.panel->netView().visibleRegion().boundingRect(),
+                 bench.panel->netView().rect());
+    }
+
+    void numbersThatStayAreNotDrawnAnew()
+    {
+        Bench bench;
+        bench.point();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.row(FootprintRow::Texels).contains("sum to 1.0000"), 20'000);
+        QAbstractItemModel* model = bench.panel->table().model();
+        QSignalSpy changes(model, &QAbstractItemModel::dataChanged);
+        bench.inspection.pointAt(kFace, kPoint + glm::vec2(1e-3F, 0)); // another place, same face
+        QCoreApplication::processEvents();
+        QVERIFY(!changes.isEmpty());
+        // What the place changes is told at once, what takes an answer when that is there.
+        QVERIFY(changes.count() < model->rowCount());
+        QList<int> rows;
+        for (const QList<QVariant>& change : changes) {
+            const auto first = change[0].value<QModelIndex>();
+            QCOMPARE(first, change[1].value<QModelIndex>()); // one cell
+            QCOMPARE(first.column(), 1);
+            QVERIFY(!rows.contains(first.row())); // once each
+            rows += first.row();
+        }
+    }
+
+    void netIsNotDrawnAnewForAnswersThatAreNumbers()
+    {
+        Bench bench;
+        bench.point();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.panel->netView().picture()->weights, 20'000);
+        QTest::qWait(50);
+        PaintCount count(bench.panel->netView());
+        QSignalSpy changes(bench.panel->table().model(), &QAbstractItemModel::dataChanged);
+        bench.settings.setMethod({"exact", std::nullopt});
+        // Value, value of exact and weights: the last of them alone are seen in the net.
+        QTRY_VERIFY_WITH_TIMEOUT(bench.row(FootprintRow::Difference).startsWith("0 = 0/255"),
+                                 20'000);
+        QTest::qWait(200);
+        QVERIFY(changes.count() >= 2);
+        QVERIFY2(count.paints() <= 1, qPrintable(QString::number(count.paints())));
+    }
+
+    void selectedNumbersAreCopied()
+    {
+        Bench bench;
+        bench.point();
+        FootprintTable& table = bench.panel->table();
+        const QModelIndex first = table.model()->index(static_cast<int>(FootprintRow::First), 1);
+        table.scrollTo(first);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(first).center());
+        QApplication::clipboard()->clear();
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(), "W1\t" + bench.row(FootprintRow::First) + "\n");
     }
 };
 
