@@ -43,6 +43,16 @@ QString number(float value)
     return QString::number(static_cast<double>(value), 'g', 4);
 }
 
+/// A share in percent as people write it: no exponents for what is next to nothing.
+QString percent(double share)
+{
+    constexpr double kLeast = 1e-4;
+    const double value = 100 * share;
+    return value == 0       ? QString("0 %")
+           : value < kLeast ? QString("< 0.0001 %")
+                            : number(static_cast<float>(value)) + " %";
+}
+
 bool tellsValues(FaceColumn column)
 {
     return column == FaceColumn::Lowest || column == FaceColumn::Highest ||
@@ -125,7 +135,7 @@ QString FaceTableModel::text(FaceColumn column, FaceId face) const
     case FaceColumn::Bytes:
         return QLocale().toString(static_cast<qulonglong>(value));
     case FaceColumn::Jump:
-        return std::isnan(value) ? QString("–") : number(static_cast<float>(100 * value)) + " %";
+        return std::isnan(value) ? QString("–") : percent(value);
     case FaceColumn::Density:
         return std::isnan(value) ? QString("–") : number(static_cast<float>(value));
     default:

@@ -10,6 +10,8 @@
 #include "ui/inspector/texel_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -68,12 +70,11 @@ void LayoutPainter::drawTexels(QImage& picture, double ratio) const
     const PlaneMap toPixels = PlaneMap{{0, 0}, {ratio, 0}, {0, ratio}}.after(m_toView);
     const QRect clip = QRectF(m_area.topLeft() * ratio, m_area.size() * ratio).toAlignedRect();
     TexelPaint paint;
-    if (m_marks.tint) {
-        paint.lowerTint = m_ink.lowerTint;
-        paint.upperTint = m_ink.upperTint;
-    }
     paint.unit = ratio;
     for (const SceneFace& face : m_scene.faces) {
+        const auto number = numberColor(face.face);
+        paint.lowerTint = number ? *number : m_marks.tint ? m_ink.lowerTint : 0;
+        paint.upperTint = number ? *number : m_marks.tint ? m_ink.upperTint : 0;
         paint.grid = gridStrength(face);
         m_faces.paint(picture, clip, face.layout.moved(toPixels), face.face, paint);
     }
@@ -98,14 +99,15 @@ bool LayoutPainter::drawTexelShapes(QPainter& painter) const
     }
     for (const SceneFace& face : m_scene.faces) {
         const FaceLayout layout = placed(face);
+        const auto number = numberColor(face.face);
         forEachTexel(layout, face.level, m_area, [&](TexelCoord texel) {
-            const QColor color =
-                QColor::fromRgba(qUnpremultiply(m_faces.color(face.face, texel).value_or(0)));
+            const QRgb shown = number ? *number : m_faces.color(face.face, texel).value_or(0);
+            const QColor color = QColor::fromRgba(qUnpremultiply(shown));
             // A thin line of its own colour: no gaps between shapes.
             painter.setPen(QPen(color, 0.3));
             painter.setBrush(color);
             painter.drawPolygon(toPolygon(layout.outline(face.level, texel)));
-            const QRgb tint = !m_marks.tint                    ? 0
+            const QRgb tint = !m_marks.tint || number          ? 0
                               : texel.half == TexelHalf::Lower ? m_ink.lowerTint
                                                                : m_ink.upperTint;
             if (tint != 0) {
@@ -116,10 +118,26 @@ bool LayoutPainter::drawTexelShapes(QPainter& painter) const
         });
     }
     painter.setBrush(Qt::NoBrush);
-    for (const SceneFace& face : m_scene.faces) {
-        drawLines(painter, gridLines(placed(face), face.level, m_area), gridStrength(face));
-    }
+    drawGrid(painter);
     return true;
+}
+
+void LayoutPainter::drawGrid(QPainter& painter) const
+{
+    for (const SceneFace& face : m_scene.faces) {
+        if (const double strength = gridStrength(face); strength > 0) {
+            drawLines(painter, gridLines(placed(face), face.level, m_area), strength);
+        }
+    }
+}
+
+std::optional<QRgb> LayoutPainter::numberColor(FaceId face) const
+{
+    if (m_numbers == nullptr || indexOf(face) >= m_numbers->colors.size()) {
+        return std::nullopt;
+    }
+    const auto color = std::bit_cast<std::array<std::uint8_t, 4>>(m_numbers->colors[indexOf(face)]);
+    return qRgb(color[0], color[1], color[2]);
 }
 
 void LayoutPainter::drawMarks(QPainter& painter, std::optional<std::uint16_t> channel) const
@@ -148,8 +166,9 @@ bool LayoutPainter::drawNumbersOn(QPainter& painter,
     if (texels == nullptr || texels->level() != face.level) {
         return false;
     }
+    const auto number = numberColor(face.face);
     const auto background = [&](TexelCoord texel) {
-        return QColor::fromRgb(m_faces.color(face.face, texel).value_or(0));
+        return QColor::fromRgb(number ? *number : m_faces.color(face.face, texel).value_or(0));
     };
     return drawTexelLabels(painter,
                            m_ink.font,

@@ -9,6 +9,7 @@
 #include "ui/inspector/layout_ink.h"
 #include "ui/inspector/layout_scene.h"
 #include "ui/inspector/shown_faces.h"
+#include "ui/viewport/face_map.h"
 
 class QPainter;
 
@@ -41,11 +42,16 @@ public:
                   const LayoutInk& ink,
                   const LayoutMarks& marks);
 
+    /// Draws faces in the colours of numbers in place of their texels'. It outlives the painter.
+    void setNumbers(const FaceNumbers* numbers) { m_numbers = numbers; }
+
     /// The texels and the grid into a picture whose pixels are the painter's units times `ratio`.
     void drawTexels(QImage& picture, double ratio) const;
     /// The same as shapes, for files that keep vectors. False, and nothing drawn, where there are
     /// too many.
     bool drawTexelShapes(QPainter& painter) const;
+    /// The grid again, where something was laid over it.
+    void drawGrid(QPainter& painter) const;
     /// Centres and numbers.
     void drawMarks(QPainter& painter, std::optional<std::uint16_t> channel) const;
     /// Outlines of faces, names of edges, vertices and neighbours.
@@ -56,6 +62,8 @@ public:
 private:
     FaceLayout placed(const SceneFace& face) const { return face.layout.moved(m_toView); }
     double gridStrength(const SceneFace& face) const;
+    /// Opaque; nothing where texels are shown.
+    std::optional<QRgb> numberColor(FaceId face) const;
     bool drawNumbersOn(QPainter& painter,
                        const SceneFace& face,
                        std::optional<std::uint16_t> channel) const;
@@ -72,6 +80,7 @@ private:
     QRectF m_area;
     const LayoutInk& m_ink;
     const LayoutMarks& m_marks;
+    const FaceNumbers* m_numbers = nullptr;
 };
 
 } // namespace trixel::ui

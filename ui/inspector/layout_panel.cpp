@@ -14,6 +14,8 @@
 
 #include "ui/document/document.h"
 #include "ui/document/face_selection.h"
+#include "ui/inspector/net_filter.h"
+#include "ui/viewport/split_bar.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/window/icons.h"
 
@@ -25,6 +27,7 @@ namespace trixel::ui {
 namespace {
 
 constexpr int kIconSize = 18;
+constexpr int kBelowSplit = 24; // the footer
 constexpr std::array kKinds{LayoutKind::Net, LayoutKind::Packed, LayoutKind::Rectilinear};
 constexpr std::array kViewKeys{"net", "packed", "rectilinear"};
 
@@ -41,14 +44,22 @@ QPalette paper()
 } // namespace
 
 LayoutPanel::LayoutPanel(const Document& document,
-                         const ViewSettings& settings,
+                         ViewSettings& settings,
                          Inspection& inspection,
                          const FaceSelection& selection,
                          QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_settings(settings)
     , m_inspection(inspection)
     , m_faces(document, settings, inspection)
+    , m_others(document,
+               settings,
+               {[this]() -> const TexelStore& {
+                    const bool before = m_settings.comparison().by == ComparedBy::Before;
+                    return before ? m_before : m_document.texels();
+                },
+                [this](FaceId face) { return otherLevel(face); }})
 {
     auto* hint = new QLabel(tr("Point at a face in the view to see its texels laid out"));
     hint->setAlignment(Qt::AlignCenter);
@@ -59,7 +70,7 @@ LayoutPanel::LayoutPanel(const Document& document,
     m_tools->setAccessibleName(tr("What the layout shows"));
     m_splitter = new QSplitter;
     m_splitter->setChildrenCollapsible(false);
-    makeViews({document, settings, inspection, selection, m_faces});
+    makeViews({document, settings, inspection, selection, m_faces, m_others});
     makeSwitches();
 
     auto* shown = new QWidget;
@@ -76,13 +87,83 @@ LayoutPanel::LayoutPanel(const Document& document,
     connect(&inspection, &Inspection::changed, this, &LayoutPanel::takeInspection);
     connect(&selection, &FaceSelection::changed, this, &LayoutPanel::refreshViews);
     connect(&m_faces, &ShownFaces::changed, this, &LayoutPanel::refreshViews);
+    connect(&m_others, &ShownFaces::changed, this, &LayoutPanel::refreshViews);
+    connect(&settings, &ViewSettings::comparisonChanged, this, &LayoutPanel::takeSettings);
+    connect(&settings, &ViewSettings::viewChanged, this, &LayoutPanel::takeSettings);
     connect(&document, &Document::opened, this, [this] {
         m_net.reset();
         m_face.reset();
+        m_before = m_document.texels();
     });
+    LayoutView& net = view(LayoutKind::Net);
+    m_split = new SplitBar(settings, &net, kBelowSplit, splitsNet);
+    net.installEventFilter(this);
 }
 
 LayoutPanel::~LayoutPanel() = default;
+
+void LayoutPanel::useFilters(FilterSceneSource& source)
+{
+    m_filter = new NetFilter(m_document, m_settings, source, this);
+    view(LayoutKind::Net).setFilter(*m_filter);
+}
+
+void LayoutPanel::rememberBefore()
+{
+    m_before = m_document.texels();
+    m_others.rest();
+    takeSettings();
+}
+
+void LayoutPanel::setFaceNumbers(const std::shared_ptr<const FaceNumbers>& numbers)
+{
+    view(LayoutKind::Net).setNumbers(numbers);
+}
+
+/// Of a face as B shows it.
+Level LayoutPanel::otherLevel(FaceId face) const
+{
+    const Comparison& comparison = m_settings.comparison();
+    const bool before = comparison.by == ComparedBy::Before;
+    const int dropped = m_inspection.levelsDropped() +
+                        (comparison.by == ComparedBy::Level ? comparison.levelsDropped : 0);
+    const Level own = (before ? m_before : m_document.texels()).face(face).level();
+    return own.coarser(std::min(dropped, own.log2()));
+}
+
+/// What the other side of the split line shows of the net.
+void LayoutPanel::showOther()
+{
+    const bool hasOther =
+        m_net && m_settings.comparison().by != ComparedBy::Nothing && splitsNet(m_settings);
+    view(LayoutKind::Net)
+        .setOther(hasOther ? std::optional(
+                                 netScene(*m_net, [this](FaceId face) { return otherLevel(face); }))
+                           : std::nullopt);
+}
+
+/// Other sides, or another place of the line between them.
+void LayoutPanel::takeSettings()
+{
+    const auto by = std::pair(m_settings.comparison().by, m_settings.comparison().levelsDropped);
+    if (std::exchange(m_compared, by) != by) {
+        m_others.rest(); // of other texels or levels
+    }
+    if (!isVisible()) {
+        m_isBehind = true;
+        return;
+    }
+    showOther();
+    view(LayoutKind::Net).refresh();
+}
+
+bool LayoutPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize) {
+        m_split->place();
+    }
+    return QWidget::eventFilter(watched, event);
+}
 
 void LayoutPanel::makeViews(const LayoutSources& sources)
 {
@@ -312,6 +393,7 @@ void LayoutPanel::showTexel(const InspectedTexel& texel, Origin origin)
     for (const LayoutKind kind : {LayoutKind::Packed, LayoutKind::Rectilinear}) {
         view(kind).setScene(faceScene(kind, face, m_faces.level(face)), LayoutView::Follow::GoHome);
     }
+    showOther();
     for (LayoutView* view : m_views) {
         view->refreshInspected(view != m_from);
     }
@@ -395,6 +477,10 @@ void LayoutPanel::hideEvent(QHideEvent* event)
     QWidget::hideEvent(event);
     m_isBehind = true;
     m_faces.rest();
+    m_others.rest();
+    if (m_filter != nullptr) {
+        m_filter->show(std::nullopt);
+    }
 }
 
 void LayoutPanel::resizeEvent(QResizeEvent* event)

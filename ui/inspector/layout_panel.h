@@ -6,16 +6,23 @@
 
 #include "ui/inspector/layout_view.h"
 #include "ui/inspector/picture_source.h"
+#include "ui/viewport/comparison.h"
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 
 class QAction;
+class QEvent;
 class QSplitter;
 class QStackedLayout;
 class QToolBar;
 
 namespace trixel::ui {
+
+class FilterSceneSource;
+class SplitBar;
 
 /// The face that is looked at, laid out in three ways side by side: as on the mesh with its
 /// neighbours, as the file stores it, and in rows. A texel under the pointer in one of them, or in
@@ -30,13 +37,21 @@ class LayoutPanel : public QWidget, public PictureSource
 
 public:
     LayoutPanel(const Document& document,
-                const ViewSettings& settings,
+                ViewSettings& settings,
                 Inspection& inspection,
                 const FaceSelection& selection,
                 QWidget* parent = nullptr);
     ~LayoutPanel() override;
 
     LayoutView& view(LayoutKind kind) const { return *m_views[static_cast<std::size_t>(kind)]; }
+    /// Without it the net is never drawn filtered.
+    void useFilters(FilterSceneSource& source);
+    const NetFilter* filter() const { return m_filter; }
+    /// From now on Before and After shows the present texels as before; at first those opened.
+    void rememberBefore();
+    /// The net's faces in the colours of the view's map, or their texels again.
+    void setFaceNumbers(const std::shared_ptr<const FaceNumbers>& numbers);
+
     const LayoutMarks& marks() const { return m_marks; }
     void setMarks(const LayoutMarks& marks);
     /// What is switched here, for menus and the command palette.
@@ -57,6 +72,7 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     /// Who made the texel looked at another one.
@@ -75,6 +91,9 @@ private:
     void takeInspection();
     void showTexel(const InspectedTexel& texel, Origin origin);
     void layNetAround(FaceId face, Origin origin);
+    Level otherLevel(FaceId face) const;
+    void showOther();
+    void takeSettings();
     void refreshViews();
     void remember() const;
     void restore();
@@ -83,8 +102,14 @@ private:
     void say(LayoutView* from, Origin origin, Act act);
 
     const Document& m_document;
+    ViewSettings& m_settings;
     Inspection& m_inspection;
+    TexelStore m_before; ///< shares with the document's texels what has not changed since
     ShownFaces m_faces;
+    ShownFaces m_others; ///< as B shows them
+    NetFilter* m_filter = nullptr;
+    SplitBar* m_split = nullptr;
+    std::pair<ComparedBy, int> m_compared{ComparedBy::Nothing, 0}; ///< and by how many levels
     std::array<LayoutView*, 3> m_views{};
     QStackedLayout* m_pages = nullptr;
     QSplitter* m_splitter = nullptr;

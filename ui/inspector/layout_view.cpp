@@ -6,7 +6,9 @@
 #include <QStyleOptionFocusRect>
 
 #include "ui/document/document.h"
+#include "ui/inspector/net_filter.h"
 #include "ui/inspector/texel_lines.h"
+#include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 
 #include <algorithm>
@@ -63,6 +65,19 @@ QString captionOf(LayoutKind kind)
     return LayoutView::tr("x = u + v/2, y = v: in rows, as filters that work along rows read them");
 }
 
+bool splitsNet(const ViewSettings& settings)
+{
+    switch (settings.comparison().by) {
+    case ComparedBy::Level:
+    case ComparedBy::Before:
+        return true;
+    case ComparedBy::Method:
+        return settings.view().map == ViewMapKind::Filtered;
+    default:
+        return false;
+    }
+}
+
 LayoutView::LayoutView(LayoutKind kind, const LayoutSources& sources, QWidget* parent)
     : QWidget(parent)
     , m_kind(kind)
@@ -98,6 +113,28 @@ void LayoutView::setScene(const LayoutScene& scene, Follow follow)
         m_sight.setHome(scene.home, scene.nearest());
     }
     refresh();
+}
+
+void LayoutView::setOther(const std::optional<LayoutScene>& scene)
+{
+    if (scene != m_other) {
+        m_other = scene;
+        refresh();
+    }
+}
+
+void LayoutView::setNumbers(const std::shared_ptr<const FaceNumbers>& numbers)
+{
+    if (numbers != m_numbers) {
+        m_numbers = numbers;
+        refresh();
+    }
+}
+
+void LayoutView::setFilter(NetFilter& filter)
+{
+    m_filter = &filter;
+    connect(&filter, &NetFilter::changed, this, &LayoutView::refresh);
 }
 
 void LayoutView::setMarks(const LayoutMarks& marks)
@@ -187,11 +224,9 @@ LayoutView::Rooms LayoutView::roomsIn(const QRectF& area, const LayoutInk& ink) 
     const QRectF inside = area.adjusted(kPadding, 4, -kPadding, -4);
     double headingHeight = title.height();
     if (area.height() >= kRoomForCaption) {
-        headingHeight += small
-                             .boundingRect(QRectF(0, 0, inside.width(), 1000),
-                                           Qt::TextWordWrap,
-                                           captionOf(m_kind))
-                             .height();
+        headingHeight +=
+            small.boundingRect(QRectF(0, 0, inside.width(), 1000), Qt::TextWordWrap, caption())
+                .height();
     }
     Rooms rooms;
     rooms.heading = {inside.left(), inside.top(), inside.width(), headingHeight};
@@ -211,13 +246,113 @@ void LayoutView::fitSight()
                     {std::max(inside.width(), 1.0), std::max(inside.height(), 1.0)});
 }
 
-LayoutPainter LayoutView::painterFor(const PlaneMap& toView,
-                                     const QRectF& area,
-                                     const LayoutInk& ink,
-                                     const LayoutScene& scene) const
+/// What is special about what is shown, or what the view is.
+QString LayoutView::caption() const
 {
-    return {
-        m_sources.faces, m_sources.document.texels().format(), scene, toView, area, ink, m_marks};
+    if (m_numbers && m_scene && indexOf(m_scene->main().face) < m_numbers->values.size()) {
+        const float value = m_numbers->values[indexOf(m_scene->main().face)];
+        return tr("Each face in the colour of the map; this one: %1")
+            .arg(MapScale::text(m_sources.settings.view().map, double{value}));
+    }
+    if (m_filter != nullptr && m_filter->isWanted()) {
+        return tr("Every pixel filtered by %1, as the view is")
+            .arg(methodTitle(m_sources.settings.method()));
+    }
+    return captionOf(m_kind);
+}
+
+std::vector<LayoutView::Part> LayoutView::partsOf(const QRectF& plane, const QRectF& whole) const
+{
+    const ComparedBy by = m_sources.settings.comparison().by;
+    if (m_kind != LayoutKind::Net || !splitsNet(m_sources.settings)) {
+        return {{plane, &m_sources.faces, &*m_scene, render::Side::A}};
+    }
+    const double line =
+        std::clamp(whole.left() + m_sources.settings.comparison().split * whole.width(),
+                   plane.left(),
+                   plane.right());
+    QRectF left = plane;
+    left.setRight(line);
+    QRectF right = plane;
+    right.setLeft(line);
+    const bool hasOther = by != ComparedBy::Method && m_other;
+    return {{left, &m_sources.faces, &*m_scene, render::Side::A},
+            {right,
+             hasOther ? &m_sources.others : &m_sources.faces,
+             hasOther ? &*m_other : &*m_scene,
+             render::Side::B}};
+}
+
+LayoutPainter
+LayoutView::painterFor(const Part& part, const PlaneMap& toView, const LayoutInk& ink) const
+{
+    LayoutPainter painter(*part.faces,
+                          m_sources.document.texels().format(),
+                          *part.scene,
+                          toView,
+                          part.area,
+                          ink,
+                          m_marks);
+    painter.setNumbers(m_numbers.get());
+    return painter;
+}
+
+/// Tells the filter what is seen now, so that it can follow.
+void LayoutView::askFilter(const QRectF& plane)
+{
+    if (m_filter == nullptr) {
+        return;
+    }
+    if (!m_scene || !m_filter->isWanted()) {
+        m_filter->show(std::nullopt);
+        return;
+    }
+    const double ratio = devicePixelRatioF();
+    const PlaneMap dense{{0, 0}, {ratio, 0}, {0, ratio}};
+    const QSize size = (QSizeF(this->size()) * ratio).toSize();
+    const QRect area = QRectF(plane.topLeft() * ratio, plane.size() * ratio).toAlignedRect();
+    m_filter->show(NetFilter::Place{
+        *m_scene, dense.after(m_sight.map()), size, area & QRect(QPoint(), size), ratio});
+}
+
+/// What there is of the filtered picture, wherever its plane lies now. Whether there was any.
+bool LayoutView::drawFiltered(QPainter& painter, const Part& part, const PlaneMap& toView) const
+{
+    if (m_filter == nullptr || !m_filter->place()) {
+        return false;
+    }
+    const bool isB =
+        part.side == render::Side::B && m_sources.settings.comparison().by == ComparedBy::Method;
+    const QImage* picture = part.side == render::Side::B && !isB
+                                ? nullptr // B shows texels of its own
+                                : m_filter->picture(part.side);
+    if (picture == nullptr) {
+        return false;
+    }
+    const PlaneMap back = toView.after(m_filter->place()->toPixels.inverse());
+    const glm::dvec2 low = back.point({0, 0});
+    const glm::dvec2 high = back.point({picture->width(), picture->height()});
+    painter.save();
+    painter.setClipRect(part.area);
+    painter.drawImage(QRectF(toPoint(low), toPoint(high)), *picture);
+    painter.restore();
+    return true;
+}
+
+/// On paper, where no line can be dragged.
+void LayoutView::drawSplit(QPainter& painter,
+                           const std::vector<Part>& parts,
+                           const LayoutInk& ink) const
+{
+    if (parts.size() < 2) {
+        return;
+    }
+    const QRectF right = parts[1].area;
+    painter.setPen(QPen(ink.text, 1));
+    painter.drawLine(right.topLeft(), right.bottomLeft());
+    constexpr QPointF kAside(14, 12);
+    drawHaloed(painter, ink, ink.bold, right.topLeft() + QPointF(-14, 12), "A", ink.text);
+    drawHaloed(painter, ink, ink.bold, right.topLeft() + kAside, "B", ink.text);
 }
 
 void LayoutView::renderBase()
@@ -231,16 +366,29 @@ void LayoutView::renderBase()
     const LayoutInk ink(palette(), font());
     m_base.fill(ink.background);
     m_isStale = false;
+    const QRectF plane = roomsIn(rect(), ink).plane;
+    askFilter(plane);
     if (!m_scene) {
         return;
     }
-    const LayoutPainter drawn =
-        painterFor(m_sight.map(), roomsIn(rect(), ink).plane, ink, *m_scene);
-    drawn.drawTexels(m_base, ratio);
+    const std::vector<Part> parts = partsOf(plane, rect());
+    const PlaneMap map = m_sight.map();
+    for (const Part& part : parts) {
+        painterFor(part, map, ink).drawTexels(m_base, ratio);
+    }
     m_base.setDevicePixelRatio(ratio);
     QPainter painter(&m_base);
-    drawn.drawMarks(painter, m_sources.settings.look().channel);
-    drawn.drawFrame(painter, m_sources.selection);
+    for (const Part& part : parts) {
+        const LayoutPainter drawn = painterFor(part, map, ink);
+        if (drawFiltered(painter, part, map)) {
+            painter.setClipRect(part.area);
+            drawn.drawGrid(painter);
+            painter.setClipping(false);
+        }
+        drawn.drawMarks(painter, m_sources.settings.look().channel);
+    }
+    painterFor({plane, &m_sources.faces, &*m_scene}, map, ink)
+        .drawFrame(painter, m_sources.selection);
 }
 
 void LayoutView::paintEvent(QPaintEvent* /*event*/)
@@ -254,7 +402,7 @@ void LayoutView::paintEvent(QPaintEvent* /*event*/)
     const Rooms rooms = roomsIn(rect(), ink);
     if (m_scene) {
         if (const auto& texel = m_sources.inspection.texel()) {
-            painterFor(m_sight.map(), rooms.plane, ink, *m_scene)
+            painterFor({rooms.plane, &m_sources.faces, &*m_scene}, m_sight.map(), ink)
                 .drawInspected(painter, *texel, m_sources.inspection.isHeld());
         }
     }
@@ -280,33 +428,51 @@ void LayoutView::paintInto(QPainter& painter,
             std::min({kRoomForNames, rooms.plane.width() / 6, rooms.plane.height() / 6});
         const QRectF inside = rooms.plane.adjusted(room, room, -room, -room);
         sight.setView({inside.left(), inside.top()}, {inside.width(), inside.height()});
-        for (const SceneFace& face : m_scene->faces) {
-            m_sources.faces.complete(face.face);
+        const std::vector<Part> parts = partsOf(rooms.plane, area);
+        for (const Part& part : parts) {
+            paintPart(painter, part, sight.map(), ink, asShapes);
         }
-        const LayoutPainter drawn = painterFor(sight.map(), rooms.plane, ink, *m_scene);
-        painter.save();
-        painter.setClipRect(rooms.plane);
-        painter.setRenderHint(QPainter::Antialiasing);
-        if (!asShapes || !drawn.drawTexelShapes(painter)) {
-            constexpr double kDensity = 2; // as sharp as a screen of twice the density
-            QImage picture((rooms.plane.size() * kDensity).toSize(), QImage::Format_RGB32);
-            picture.fill(ink.background);
-            const PlaneMap moved =
-                PlaneMap{{-rooms.plane.left(), -rooms.plane.top()}, {1, 0}, {0, 1}}.after(
-                    sight.map());
-            const QRectF own(QPointF(0, 0), rooms.plane.size());
-            painterFor(moved, own, ink, *m_scene).drawTexels(picture, kDensity);
-            painter.drawImage(rooms.plane, picture);
-        }
-        painter.restore();
-        drawn.drawMarks(painter, m_sources.settings.look().channel);
-        drawn.drawFrame(painter, m_sources.selection);
+        const LayoutPainter whole =
+            painterFor({rooms.plane, &m_sources.faces, &*m_scene}, sight.map(), ink);
+        whole.drawFrame(painter, m_sources.selection);
         if (const auto& texel = m_sources.inspection.texel()) {
-            drawn.drawInspected(painter, *texel, m_sources.inspection.isHeld());
+            whole.drawInspected(painter, *texel, m_sources.inspection.isHeld());
         }
+        drawSplit(painter, parts, ink);
     }
     drawHeading(painter, rooms.heading, ink);
     drawFooter(painter, rooms.footer, ink);
+}
+
+void LayoutView::paintPart(QPainter& painter,
+                           const Part& part,
+                           const PlaneMap& toView,
+                           const LayoutInk& ink,
+                           bool asShapes) const
+{
+    for (const SceneFace& face : part.scene->faces) {
+        part.faces->complete(face.face);
+    }
+    const LayoutPainter drawn = painterFor(part, toView, ink);
+    painter.save();
+    painter.setClipRect(part.area);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!asShapes || !drawn.drawTexelShapes(painter)) {
+        constexpr double kDensity = 2; // as sharp as a screen of twice the density
+        QImage picture((part.area.size() * kDensity).toSize(), QImage::Format_RGB32);
+        picture.fill(ink.background);
+        const PlaneMap moved =
+            PlaneMap{{-part.area.left(), -part.area.top()}, {1, 0}, {0, 1}}.after(toView);
+        Part own = part;
+        own.area = QRectF(QPointF(0, 0), part.area.size());
+        painterFor(own, moved, ink).drawTexels(picture, kDensity);
+        painter.drawImage(part.area, picture);
+    }
+    if (drawFiltered(painter, part, toView)) {
+        drawn.drawGrid(painter);
+    }
+    painter.restore();
+    drawn.drawMarks(painter, m_sources.settings.look().channel);
 }
 
 void LayoutView::drawHeading(QPainter& painter, const QRectF& area, const LayoutInk& ink) const
@@ -332,7 +498,7 @@ void LayoutView::drawHeading(QPainter& painter, const QRectF& area, const Layout
     }
     const QRectF below = area.adjusted(0, title.height(), 0, 0);
     if (below.height() > 1) {
-        painter.drawText(below, Qt::TextWordWrap, captionOf(m_kind));
+        painter.drawText(below, Qt::TextWordWrap, caption());
     }
 }
 

@@ -4,15 +4,19 @@
 #include <QImage>
 #include <QWidget>
 
+#include "render/split.h"
 #include "ui/document/inspection.h"
 #include "ui/inspector/layout_painter.h"
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace trixel::ui {
 
 class Document;
 class FaceSelection;
+class NetFilter;
 class ViewSettings;
 
 /// What views of layouts draw from; all of it outlives them.
@@ -23,7 +27,11 @@ struct LayoutSources
     const Inspection& inspection;
     const FaceSelection& selection;
     ShownFaces& faces;
+    ShownFaces& others; ///< as B shows them
 };
+
+/// Whether the net shows what is compared, on either side of the split line.
+bool splitsNet(const ViewSettings& settings);
 
 /// One of the three views of the layout panel, with a pan and zoom of its own. Says what pointer
 /// and keys mean; what is looked at is decided outside.
@@ -47,6 +55,12 @@ public:
     };
     void setScene(const LayoutScene& scene, Follow follow);
     const std::optional<LayoutScene>& scene() const { return m_scene; }
+    /// The scene as B shows it, where its levels are others.
+    void setOther(const std::optional<LayoutScene>& scene);
+    /// Faces in the colours of numbers, or their texels again.
+    void setNumbers(const std::shared_ptr<const FaceNumbers>& numbers);
+    /// Draws what the filter makes of the texels while that is wanted. It outlives the view.
+    void setFilter(NetFilter& filter);
     void setMarks(const LayoutMarks& marks);
     /// Draws anew: texels, levels or the selection differ.
     void refresh();
@@ -105,13 +119,30 @@ private:
         QRectF heading, plane, footer;
     };
 
+    /// Of the view that shows one side of the split line, or all.
+    struct Part
+    {
+        QRectF area;
+        ShownFaces* faces = nullptr;
+        const LayoutScene* scene = nullptr;
+        render::Side side = render::Side::A;
+    };
+
     Rooms roomsIn(const QRectF& area, const LayoutInk& ink) const;
+    /// \param whole  of which the split line stands at a part of the width
+    std::vector<Part> partsOf(const QRectF& plane, const QRectF& whole) const;
+    void askFilter(const QRectF& plane);
+    bool drawFiltered(QPainter& painter, const Part& part, const PlaneMap& toView) const;
+    void paintPart(QPainter& painter,
+                   const Part& part,
+                   const PlaneMap& toView,
+                   const LayoutInk& ink,
+                   bool asShapes) const;
+    void drawSplit(QPainter& painter, const std::vector<Part>& parts, const LayoutInk& ink) const;
+    QString caption() const;
     void fitSight();
     void renderBase();
-    LayoutPainter painterFor(const PlaneMap& toView,
-                             const QRectF& area,
-                             const LayoutInk& ink,
-                             const LayoutScene& scene) const;
+    LayoutPainter painterFor(const Part& part, const PlaneMap& toView, const LayoutInk& ink) const;
     void drawHeading(QPainter& painter, const QRectF& area, const LayoutInk& ink) const;
     void drawFooter(QPainter& painter, const QRectF& area, const LayoutInk& ink) const;
     QString coordinates() const;
@@ -122,6 +153,9 @@ private:
     LayoutKind m_kind;
     LayoutSources m_sources;
     std::optional<LayoutScene> m_scene;
+    std::optional<LayoutScene> m_other;
+    std::shared_ptr<const FaceNumbers> m_numbers;
+    NetFilter* m_filter = nullptr;
     PlaneSight m_sight;
     LayoutMarks m_marks;
     QImage m_base; ///< all but what changes with the texel looked at

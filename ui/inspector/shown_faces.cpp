@@ -32,10 +32,21 @@ ShownFaces::ShownFaces(const Document& document,
                        const ViewSettings& settings,
                        const Inspection& inspection,
                        QObject* parent)
+    : ShownFaces(document,
+                 settings,
+                 {[&document]() -> const TexelStore& { return document.texels(); },
+                  [&inspection](FaceId face) { return inspection.surface().level(face); }},
+                 parent)
+{
+}
+
+ShownFaces::ShownFaces(const Document& document,
+                       const ViewSettings& settings,
+                       FaceSource source,
+                       QObject* parent)
     : QObject(parent)
-    , m_document(document)
+    , m_source(std::move(source))
     , m_settings(settings)
-    , m_inspection(inspection)
 {
     m_pool.setMaxThreadCount(1);
     connect(&document, &Document::opened, this, [this] {
@@ -54,7 +65,7 @@ ShownFaces::~ShownFaces()
 
 Level ShownFaces::level(FaceId face) const
 {
-    return m_inspection.surface().level(face);
+    return m_source.level(face);
 }
 
 void ShownFaces::paint(QImage& image,
@@ -74,7 +85,7 @@ const FaceTexels* ShownFaces::texels(FaceId face)
     Entry& known = entry(face);
     const Level shown = level(face);
     if (shown == known.base) {
-        return &m_document.texels().face(face);
+        return &m_source.texels().face(face);
     }
     return haveCoarser(known, false) ? &known.coarser->at(shown) : nullptr;
 }
@@ -101,7 +112,7 @@ void ShownFaces::rest()
 
 ShownFaces::Entry& ShownFaces::entry(FaceId face)
 {
-    const Level base = m_document.texels().face(face).level();
+    const Level base = m_source.texels().face(face).level();
     auto found = std::ranges::find(m_entries, face, [](const auto& known) { return known->face; });
     if (found != m_entries.end() && (*found)->base != base) {
         forget(**found);
@@ -132,10 +143,10 @@ bool ShownFaces::haveCoarser(Entry& entry, bool now)
     if (entry.coarser) {
         return true;
     }
-    const FaceTexels& face = m_document.texels().face(entry.face);
+    const FaceTexels& face = m_source.texels().face(entry.face);
     if (now || face.isConstant() || entry.base <= kReducedAtOnce) {
         forget(entry);
-        entry.coarser = CoarserLevels::of(m_document.texels().format(), face);
+        entry.coarser = CoarserLevels::of(m_source.texels().format(), face);
         forgetCoarserShades(entry);
         return true;
     }
@@ -153,8 +164,8 @@ void ShownFaces::reduceElsewhere(Entry& entry)
     QtConcurrent::run(
         &m_pool,
         [wanted = entry.wanted,
-         format = m_document.texels().format(),
-         face = m_document.texels().face(entry.face)]() -> std::optional<CoarserLevels> {
+         format = m_source.texels().format(),
+         face = m_source.texels().face(entry.face)]() -> std::optional<CoarserLevels> {
             return *wanted ? std::optional(CoarserLevels::of(format, face)) : std::nullopt;
         })
         .then(
@@ -175,13 +186,13 @@ void ShownFaces::takeCoarser(FaceId face, const std::atomic<bool>* job, CoarserL
     }
     Entry& known = **found;
     known.wanted.reset();
-    const FaceTexels& texels = m_document.texels().face(face);
+    const FaceTexels& texels = m_source.texels().face(face);
     for (const TouchedRect& rect : known.since) {
         if (!levels.canFollow(texels, rect)) {
             reduceElsewhere(known);
             return;
         }
-        levels.update(m_document.texels().format(), texels, rect);
+        levels.update(m_source.texels().format(), texels, rect);
     }
     known.coarser = std::move(levels);
     forgetCoarserShades(known);
@@ -190,7 +201,7 @@ void ShownFaces::takeCoarser(FaceId face, const std::atomic<bool>* job, CoarserL
 
 const FaceTexels& ShownFaces::texelsToDraw(Entry& entry, Level level)
 {
-    const FaceTexels& face = m_document.texels().face(entry.face);
+    const FaceTexels& face = m_source.texels().face(entry.face);
     if (level == entry.base) {
         return face;
     }
@@ -209,8 +220,7 @@ ShadedTexels& ShownFaces::shades(Entry& entry, Level level)
 {
     auto& kept = entry.shades[static_cast<std::size_t>(level.log2())];
     if (!kept) {
-        kept =
-            std::make_unique<ShadedTexels>(m_document.texels().format(), m_settings.look(), level);
+        kept = std::make_unique<ShadedTexels>(m_source.texels().format(), m_settings.look(), level);
     }
     // A large face that is looked through bit by bit does not stay in memory as a whole.
     constexpr std::size_t kMostBytes = std::size_t{24} << 20U;
@@ -243,7 +253,7 @@ void ShownFaces::takeChange(const Change& change)
 
 bool ShownFaces::touch(Entry& entry, const TouchedRect& rect)
 {
-    const FaceTexels& face = m_document.texels().face(entry.face);
+    const FaceTexels& face = m_source.texels().face(entry.face);
     if (face.level() != entry.base) {
         return true; // begun anew when it is next drawn
     }
@@ -258,7 +268,7 @@ bool ShownFaces::touch(Entry& entry, const TouchedRect& rect)
         }
     }
     if (entry.coarser && entry.coarser->canFollow(face, rect)) {
-        entry.coarser->update(m_document.texels().format(), face, rect);
+        entry.coarser->update(m_source.texels().format(), face, rect);
     } else {
         entry.coarser.reset();
     }

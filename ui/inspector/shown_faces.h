@@ -5,11 +5,13 @@
 #include <QThreadPool>
 
 #include "core/texture/coarser_levels.h"
+#include "core/texture/texel_store.h"
 #include "ui/inspector/face_painter.h"
 
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +22,13 @@ struct Change;
 class Document;
 class Inspection;
 class ViewSettings;
+
+/// Which texels are shown, and each face at which level, at most its own.
+struct FaceSource
+{
+    std::function<const TexelStore&()> texels;
+    std::function<Level(FaceId)> level;
+};
 
 /// The document's faces as a panel draws them: at the level shown, with the look of the view, at
 /// any scale. Keeps colours and coarser levels of the few faces that were drawn last and follows
@@ -33,6 +42,11 @@ public:
     ShownFaces(const Document& document,
                const ViewSettings& settings,
                const Inspection& inspection,
+               QObject* parent = nullptr);
+    /// Of other texels of the same surface, or of other levels.
+    ShownFaces(const Document& document,
+               const ViewSettings& settings,
+               FaceSource source,
                QObject* parent = nullptr);
     ~ShownFaces() override;
 
@@ -87,9 +101,8 @@ private:
     void forgetAll();
     void forgetLook();
 
-    const Document& m_document;
+    FaceSource m_source;
     const ViewSettings& m_settings;
-    const Inspection& m_inspection;
     std::vector<std::unique_ptr<Entry>> m_entries;
     std::uint64_t m_uses = 0;
     QThreadPool m_pool;

@@ -246,6 +246,18 @@ QWidget* LookPanel::makeSwitches()
     return box;
 }
 
+void LookPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    setSeen(true);
+}
+
+void LookPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    setSeen(false);
+}
+
 void LookPanel::setSeen(bool seen)
 {
     m_isSeen = seen;

@@ -39,13 +39,13 @@ public:
     /// either end. Waits for the counting where there is no current answer yet.
     void fitRange(bool withoutOutliers);
 
-    /// Whether anybody sees the panel: it counts no values while it is hidden or behind another
-    /// tab.
-    void setSeen(bool seen);
-
     const ValueSurvey& survey() const { return *m_survey; }
     HistogramView& histogram() { return *m_histogram; }
     MarkTable& marks() { return *m_marks; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     enum class Fit { None, All, WithoutOutliers };
@@ -55,6 +55,7 @@ private:
     QWidget* makeRange();
     QWidget* makeSwitches();
     QCheckBox* makeSwitch(const QString& text, const QString& toolTip, bool render::Look::*member);
+    void setSeen(bool seen);
     void showLook();
     void showSurvey();
     void showProgress();
@@ -78,7 +79,7 @@ private:
     MarkTable* m_marks;
     QPushButton* m_reset = nullptr;
     Fit m_fit = Fit::None; ///< waits for the counting
-    bool m_isSeen = false;
+    bool m_isSeen = false; ///< no values are counted while nobody sees the panel
 };
 
 } // namespace trixel::ui

@@ -37,7 +37,7 @@ FootprintLegend::FootprintLegend(QWidget* view)
 void FootprintLegend::tellOfHovered()
 {
     setText(
-        tr("%1 and %2 under the pointer, drawn %3× larger")
+        tr("%1 and %2 of what is looked at, drawn %3× larger")
             .arg(colored(tr("Pixel"), kParallelogramColor), colored(tr("ellipse"), kEllipseColor))
             .arg(kFootprintMagnification));
 }

@@ -14,7 +14,7 @@ class FootprintLegend : public QLabel
 public:
     explicit FootprintLegend(QWidget* view);
 
-    /// The pixel under the pointer.
+    /// The pixel that is looked at, under the pointer or where a texel is held.
     void tellOfHovered();
     /// Footprints that a panel chose.
     void tellOf(double magnification, bool withFrozen);

@@ -46,7 +46,8 @@ std::uint32_t opaque(render::Rgb color)
 struct Answers
 {
     std::vector<std::uint32_t> colors;
-    std::vector<float> values; ///< empty for Filtered
+    std::vector<float> values;       ///< empty for Filtered
+    std::vector<render::Mark> marks; ///< empty where the look shows none
 };
 
 /// Methods of the work, made once.
@@ -110,6 +111,9 @@ private:
                 texel[c] = results.values[i + c * queries.size()];
             }
             answers.colors.push_back(std::bit_cast<std::uint32_t>(render::shade(rule, texel)));
+            if (rule.marks) {
+                answers.marks.push_back(render::markOf(m_work.format, texel, look));
+            }
         }
         return answers;
     }
@@ -126,6 +130,7 @@ class Pass
 public:
     Pass(const MapWork& work, int step, ViewQueries queries)
         : m_camera(work.camera)
+        , m_unit(work.unit)
         , m_hasValues(work.map != ViewMapKind::Filtered)
         , m_step(step)
         , m_queries(std::move(queries))
@@ -153,6 +158,9 @@ public:
                  i,
                  answers.colors[i - begin],
                  m_hasValues ? answers.values[i - begin] : kNoValue);
+            if (!answers.marks.empty() && answers.marks[i - begin] != render::Mark::None) {
+                fillMarked(band, i, answers.marks[i - begin]);
+            }
         }
         return band;
     }
@@ -195,7 +203,27 @@ private:
         }
     }
 
+    /// The block of a pixel in the colour and the pattern of a mark.
+    void fillMarked(MapBand& band, std::size_t query, render::Mark mark) const
+    {
+        const int left =
+            static_cast<int>(m_queries.pixel[query]) % m_camera.width / m_step * m_step;
+        const int top = rowOf(query) / m_step * m_step;
+        const std::uint32_t plain = std::bit_cast<std::uint32_t>(render::markColor(mark));
+        const std::uint32_t ink = std::bit_cast<std::uint32_t>(render::kMarkInk);
+        for (int y = top; y < std::min(top + m_step, m_row); ++y) {
+            const auto row = static_cast<std::size_t>(y - band.firstRow) *
+                             static_cast<std::size_t>(m_camera.width);
+            for (int x = left; x < std::min(left + m_step, m_camera.width); ++x) {
+                const bool isInk = render::hasInk(
+                    mark, static_cast<int>(x / m_unit), static_cast<int>(y / m_unit));
+                band.pixels[row + static_cast<std::size_t>(x)] = isInk ? ink : plain;
+            }
+        }
+    }
+
     const ViewCamera& m_camera;
+    double m_unit;
     bool m_hasValues;
     int m_step;
     ViewQueries m_queries;
@@ -212,7 +240,10 @@ void computeMap(QPromise<MapBand>& promise, const MapWork& work)
     double perBand = kFirstBandQueries;
     for (const int step : kMapSteps) {
         auto queries =
-            viewQueries(*work.surface, work.camera, PixelSubset{step, 0}, Threads::all(), progress);
+            work.queries
+                ? Result<ViewQueries>(work.queries(step))
+                : viewQueries(
+                      *work.surface, work.camera, PixelSubset{step, 0}, Threads::all(), progress);
         if (!queries) {
             return; // cancelled
         }

@@ -8,6 +8,7 @@
 #include "ui/viewport/view_settings.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,8 +23,12 @@ struct MapWork
     std::shared_ptr<const FilterScene> scene; ///< not needed for Condition
     MethodChoice method;
     double range = 0;   ///< of the values
-    TexelFormat format; ///< this and the look for Filtered alone
+    TexelFormat format; ///< this and what follows for Filtered alone
     render::Look look;
+    double unit = 1; ///< pixels to one of 1/96 inch, for the patterns of marks
+    /// Pixels that show the surface, in the place of those that the camera sees, of which only the
+    /// picture's size counts then. \param step  one pixel of each step × step, in the order of rows
+    std::function<ViewQueries(int step)> queries;
 };
 
 /// Some rows of the picture, which take the place of those computed before.

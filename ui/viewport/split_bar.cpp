@@ -11,6 +11,7 @@
 #include "ui/viewport/view_settings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace trixel::ui {
 
@@ -19,7 +20,6 @@ namespace {
 constexpr int kWidth = 11; // logical pixels that the pointer can take hold of
 constexpr int kGrip = 44;
 constexpr int kGap = 6;
-constexpr int kBottom = 56; // room for what stands in the view's lower corners
 constexpr double kStep = 0.01;
 
 QString coarserText(int levels)
@@ -31,11 +31,16 @@ QString coarserText(int levels)
 
 } // namespace
 
-SplitBar::SplitBar(ViewSettings& settings, QWidget* view)
+SplitBar::SplitBar(ViewSettings& settings,
+                   QWidget* view,
+                   int bottom,
+                   std::function<bool(const ViewSettings&)> isShown)
     : QWidget(view)
     , m_settings(settings)
     , m_left(makeButton(view, tr("What A, left of the line, shows")))
     , m_right(makeButton(view, tr("What B, right of the line, shows")))
+    , m_bottom(bottom)
+    , m_isShown(std::move(isShown))
 {
     setObjectName("splitBar");
     setAccessibleName(tr("Line between A and B"));
@@ -102,7 +107,7 @@ void SplitBar::follow()
     for (QWidget* widget : {static_cast<QWidget*>(this),
                             static_cast<QWidget*>(m_left),
                             static_cast<QWidget*>(m_right)}) {
-        widget->setVisible(comparison.isOn());
+        widget->setVisible(comparison.isOn() && (!m_isShown || m_isShown(m_settings)));
     }
     place();
 }
@@ -114,7 +119,7 @@ void SplitBar::place()
     setGeometry(line - kWidth / 2, 0, kWidth, view.height());
     m_left->adjustSize();
     m_right->adjustSize();
-    const int top = view.height() - kBottom - m_left->height();
+    const int top = view.height() - m_bottom - m_left->height();
     m_left->move(line - kGap - m_left->width(), top);
     m_right->move(line + kGap, top);
 }

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QMenu;
 class QToolButton;
 
@@ -17,7 +19,12 @@ class SplitBar : public QWidget
     Q_OBJECT
 
 public:
-    SplitBar(ViewSettings& settings, QWidget* view);
+    /// \param bottom  room below what A and B show, in pixels
+    /// \param isShown  whether the view shows what is compared; all views but few do
+    explicit SplitBar(ViewSettings& settings,
+                      QWidget* view,
+                      int bottom = 56,
+                      std::function<bool(const ViewSettings&)> isShown = {});
 
     /// What the buttons offer; null: nothing.
     void setMenus(QMenu* left, QMenu* right);
@@ -43,6 +50,8 @@ private:
     ViewSettings& m_settings;
     QToolButton* m_left;
     QToolButton* m_right;
+    int m_bottom;
+    std::function<bool(const ViewSettings&)> m_isShown;
     int m_grabbedAt = 0; ///< of the bar's own width
 };
 

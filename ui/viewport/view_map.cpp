@@ -178,6 +178,7 @@ void ViewMap::drop()
     m_faceWatcher.cancel();
     m_faceValues.clear();
     m_viewport.setFaceColors({});
+    emit facesNumbered(nullptr);
     showValue();
     emit progressed();
 }
@@ -223,10 +224,11 @@ void ViewMap::takeFaces()
     if (m_faceWatcher.isCanceled()) {
         return; // of a map that is gone
     }
-    const FaceNumbers numbers = m_faceWatcher.result();
-    m_viewport.setFaceColors(numbers.colors);
-    m_faceValues = numbers.values;
-    m_legend->setMap(m_map, title(), numbers.scale);
+    const auto numbers = std::make_shared<const FaceNumbers>(m_faceWatcher.result());
+    m_viewport.setFaceColors(numbers->colors);
+    m_faceValues = numbers->values;
+    m_legend->setMap(m_map, title(), numbers->scale);
+    emit facesNumbered(numbers);
     showState();
     showValue();
     emit progressed();
@@ -256,6 +258,7 @@ MapWork ViewMap::workOf(const MethodChoice& method) const
     work.method = method;
     work.format = m_document.texels().format();
     work.look = m_settings.look();
+    work.unit = m_viewport.devicePixelRatioF();
     if (readsTexels(m_map)) {
         work.scene = m_source.scene();
         work.range = m_source.valueRange();

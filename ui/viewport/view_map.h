@@ -9,6 +9,7 @@
 #include "ui/viewport/pixel_map.h"
 #include "ui/viewport/viewport.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -51,6 +52,8 @@ public:
 signals:
     /// Part of the picture is there, or none any more.
     void progressed();
+    /// Numbers and colours of all faces are there, or none any more.
+    void facesNumbered(const std::shared_ptr<const trixel::ui::FaceNumbers>& numbers);
 
 private:
     void takeOptions();

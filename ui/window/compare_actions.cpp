@@ -69,7 +69,10 @@ void CompareActions::makeWays(QWidget& window)
     }
     m_remember = ActionMaker(window)(tr("&Remember Texels as Before"),
                                      tr("What Before and After compares with from now on"));
-    connect(m_remember, &QAction::triggered, this, [this] { m_viewport.rememberBefore(); });
+    connect(m_remember, &QAction::triggered, this, [this] {
+        m_viewport.rememberBefore();
+        emit remembered();
+    });
     m_beforeMenu->addAction(m_remember);
 }
 

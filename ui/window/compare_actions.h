@@ -29,6 +29,10 @@ public:
 
     void fillMenu(QMenu& menu);
 
+signals:
+    /// The present texels are those before from now on.
+    void remembered();
+
 private:
     void makeWays(QWidget& window);
     void makeMethods(QWidget& window);

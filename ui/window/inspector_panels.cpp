@@ -12,6 +12,7 @@
 #include "ui/inspector/mip_panel.h"
 #include "ui/look/look_overlay.h"
 #include "ui/look/look_panel.h"
+#include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/footprint_actions.h"
 #include "ui/window/message_bar.h"
@@ -44,6 +45,11 @@ void InspectorPanels::showSeams(const std::shared_ptr<const SeamReport>& report)
     m_faces->setSeams(report);
 }
 
+void InspectorPanels::rememberBefore()
+{
+    m_layout->rememberBefore();
+}
+
 void InspectorPanels::fillMenu(QMenu& menu) const
 {
     QMenu* layout = menu.addMenu(tr("Texel La&yout"));
@@ -63,7 +69,6 @@ void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     QDockWidget* look = frames.beside("lookPanel", tr("Look"), scroll, {Qt::SHIFT | Qt::Key_F2});
-    connect(look, &QDockWidget::visibilityChanged, m_look, &LookPanel::setSeen);
     // One of the two is wanted at a time: the brush to paint, the look to see.
     auto* brush = work.window.findChild<QDockWidget*>("brushPanel");
     work.window.tabifyDockWidget(brush, look);
@@ -74,6 +79,8 @@ void InspectorPanels::makeLook(const Workspace& work, const PanelFrames& frames)
 void InspectorPanels::makeLayout(const Workspace& work, const PanelFrames& frames)
 {
     m_layout = new LayoutPanel(work.document, work.settings, work.inspection, work.selection);
+    m_layout->useFilters(work.filterScene);
+    connect(&work.viewMap, &ViewMap::facesNumbered, m_layout, &LayoutPanel::setFaceNumbers);
     QDockWidget* dock =
         frames.below("layoutPanel", tr("Layout"), m_layout, {Qt::SHIFT | Qt::Key_F3});
     work.window.tabifyDockWidget(work.window.findChild<QDockWidget*>("stabilityPanel"), dock);

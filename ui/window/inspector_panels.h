@@ -30,6 +30,8 @@ public:
 
     LookPanel& look() const { return *m_look; }
     LayoutPanel& layout() const { return *m_layout; }
+    /// From now on Before and After shows the present texels as before.
+    void rememberBefore();
     /// What is switched in the panels, so that the command palette finds it.
     void fillMenu(QMenu& menu) const;
     /// The seams that the table of faces tells of; null for none.

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/look_actions.h"
 
+#include <QDoubleSpinBox>
 #include <QMenu>
+#include <QSignalBlocker>
+#include <QToolBar>
 
 #include "ui/document/document.h"
+#include "ui/look/channel_row.h"
 #include "ui/look/look_commands.h"
 #include "ui/look/look_panel.h"
 #include "ui/viewport/view_settings.h"
@@ -62,10 +66,11 @@ LookActions::LookActions(const Document& document,
         });
     }
     m_actions += nullptr;
-    addToggle(tr("False &Colour"),
-              tr("Show the number in colours that every kind of eye tells apart"),
-              {Qt::Key_J},
-              &render::Look::falseColor);
+    m_falseColor = addToggle(tr("False &Colour"),
+                             tr("Show the number in colours that every kind of eye tells apart"),
+                             {Qt::Key_J},
+                             &render::Look::falseColor);
+    m_falseColor->setIconText(tr("False colour"));
     addToggle(tr("&Marks"),
               tr("Mark NaN, infinite, negative and clipped values"),
               {Qt::Key_N},
@@ -123,6 +128,38 @@ void LookActions::follow()
             action->setEnabled(m_document.isOpen());
         }
     }
+}
+
+void LookActions::fillToolBar(QToolBar& bar)
+{
+    auto* channels = new ChannelRow(m_document, m_settings);
+    channels->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    bar.addWidget(channels);
+    auto* exposure = new QDoubleSpinBox;
+    exposure->setRange(double{-kMostStops}, double{kMostStops});
+    exposure->setDecimals(1);
+    exposure->setSingleStep(double{kStopStep});
+    exposure->setSuffix(tr(" EV"));
+    exposure->setAccessibleName(tr("Exposure of the view"));
+    exposure->setToolTip(tr("Exposure in stops: values count 2 to this power times (Ctrl+Up, "
+                            "Ctrl+Down)"));
+    exposure->setFocusPolicy(Qt::ClickFocus); // keys of the view stay with the view
+    exposure->setKeyboardTracking(false);
+    bar.addWidget(exposure);
+    const auto follow = [this, exposure] {
+        const QSignalBlocker quiet(exposure);
+        exposure->setValue(double{m_settings.look().exposure});
+        exposure->setEnabled(m_document.isOpen());
+    };
+    connect(&m_settings, &ViewSettings::lookChanged, exposure, follow);
+    connect(&m_document, &Document::opened, exposure, follow);
+    connect(exposure, &QDoubleSpinBox::valueChanged, this, [this](double stops) {
+        render::Look look = m_settings.look();
+        look.exposure = static_cast<float>(stops);
+        m_settings.setLook(look);
+    });
+    follow();
+    bar.addAction(m_falseColor);
 }
 
 void LookActions::fillMenu(QMenu& menu)

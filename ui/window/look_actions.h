@@ -12,6 +12,7 @@
 
 class QAction;
 class QMenu;
+class QToolBar;
 class QWidget;
 
 namespace trixel::ui {
@@ -32,6 +33,8 @@ public:
                 QWidget& window);
 
     void fillMenu(QMenu& menu);
+    /// The looks that are changed most often: channel, exposure, false colour.
+    void fillToolBar(QToolBar& bar);
 
 private:
     using Change = std::function<render::Look(render::Look)>;
@@ -46,6 +49,7 @@ private:
     const Document& m_document;
     ViewSettings& m_settings;
     QWidget& m_window;
+    QAction* m_falseColor = nullptr;
     QList<QAction*> m_actions; ///< in the order of the menu; null separates
     QList<std::pair<QAction*, bool render::Look::*>> m_toggles;
 };

@@ -205,7 +205,9 @@ void MainWindow::makeMenus()
     m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
     m_mapActions->fillMenu(*view);
-    (new CompareActions(m_settings, *m_mapActions, *m_viewport, *this))->fillMenu(*view);
+    auto* compare = new CompareActions(m_settings, *m_mapActions, *m_viewport, *this);
+    connect(compare, &CompareActions::remembered, m_inspectors, &InspectorPanels::rememberBefore);
+    compare->fillMenu(*view);
     m_lookActions->fillMenu(*view);
     view->addSeparator();
     m_inspectors->fillMenu(*view);
@@ -240,6 +242,9 @@ void MainWindow::makeToolBars()
     main->addAction(m_editActions->redoAction());
     main->addSeparator();
     m_viewActions->fillToolBar(*main);
+    main->addSeparator();
+    m_lookActions->fillToolBar(*main);
+    main->addAction(m_mapActions->filteredAction());
     addToolBar(Qt::TopToolBarArea, main);
     for (QToolBar* bar : {tools, main}) {
         bar->setIconSize({kIconSize, kIconSize});

@@ -73,9 +73,11 @@ void MapActions::makeMaps(QWidget& window)
 /// Between the two that are looked at in turn most often.
 void MapActions::makeToggle(QWidget& window)
 {
-    m_toggle = ActionMaker(window)(tr("Nearest &or Filtered"),
+    m_toggle =
+        ActionMaker(window).toggle(tr("Nearest &or Filtered"),
                                    tr("Go between the texels as they are and the filtered picture"),
                                    {Qt::Key_V});
+    m_toggle->setIconText(tr("Filtered"));
     connect(m_toggle, &QAction::triggered, this, [this] {
         ViewOptions view = m_settings.view();
         const bool isFiltered = view.map == ViewMapKind::Filtered;
@@ -101,6 +103,7 @@ void MapActions::makeMethods(QWidget& window)
 
 void MapActions::follow()
 {
+    m_toggle->setChecked(m_settings.view().map == ViewMapKind::Filtered);
     for (const auto& [action, map] : m_maps) {
         action->setChecked(m_settings.view().map == map);
     }

@@ -24,6 +24,8 @@ public:
     MapActions(ViewSettings& settings, QWidget& window);
 
     void fillMenu(QMenu& menu);
+    /// Between the texels as they are and the filtered picture; on while that is shown.
+    QAction* filteredAction() const { return m_toggle; }
     /// Of all filter methods; there once the menu is filled.
     QMenu* methodMenu() const { return m_methodMenu; }
 

@@ -18,6 +18,7 @@
 #include "ui/inspector/save_dialog.h"
 #include "ui/inspector/view_picture.h"
 #include "ui/inspector/widget_picture.h"
+#include "ui/look/look_words.h"
 #include "ui/viewport/method_title.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
@@ -54,27 +55,6 @@ QString texelText(const InspectedTexel& texel)
         .arg(indexOf(texel.place.face))
         .arg(indexOf(texelIndex(texel.level, texel.place.texel)))
         .arg(texel.level.log2());
-}
-
-/// Nothing for the plain look.
-QStringList lookText(const render::Look& look)
-{
-    const render::Look plain;
-    QStringList parts;
-    if (look.channel) {
-        parts += PictureActions::tr("channel %1").arg(*look.channel);
-    }
-    if (look.exposure != plain.exposure) {
-        parts += PictureActions::tr("exposure %1%2")
-                     .arg(look.exposure > 0 ? "+" : "")
-                     .arg(static_cast<double>(look.exposure));
-    }
-    if (look.low != plain.low || look.high != plain.high) {
-        parts += PictureActions::tr("range %1 to %2")
-                     .arg(static_cast<double>(look.low))
-                     .arg(static_cast<double>(look.high));
-    }
-    return parts;
 }
 
 } // namespace
@@ -125,7 +105,10 @@ QString PictureActions::caption() const
     if (const auto& texel = m_work.inspection.texel()) {
         parts += texelText(*texel);
     }
-    parts += lookText(m_work.settings.look());
+    const QString look = describe(m_work.document.texels().format(), m_work.settings.look());
+    if (!look.isEmpty()) {
+        parts += look;
+    }
     parts += tr("filter %1").arg(methodTitle(m_work.settings.method()));
     return parts.join(" · ");
 }
