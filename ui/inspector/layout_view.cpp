@@ -366,6 +366,7 @@ void LayoutView::renderBase()
     const LayoutInk ink(palette(), font());
     m_base.fill(ink.background);
     m_isStale = false;
+    fitSight(); // the heading may have other lines
     const QRectF plane = roomsIn(rect(), ink).plane;
     askFilter(plane);
     if (!m_scene) {
