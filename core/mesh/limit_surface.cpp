@@ -91,6 +91,11 @@ Result<std::shared_ptr<const LimitSurface>> LimitSurface::build(const TriangleMe
     }
 }
 
+Status LimitSurface::check(const TriangleMesh& cage)
+{
+    return checkLoopCage(cage);
+}
+
 std::size_t LimitSurface::edgeCount() const
 {
     return static_cast<std::size_t>(m_patches->refiner->GetLevel(0).GetNumEdges());
@@ -141,10 +146,10 @@ void LimitSurface::Evaluator::moveTo(FaceId face)
     if (s.face == face) {
         return;
     }
-    check(indexOf(face) < s.surface.faceCount(), "a face of the limit surface");
+    trixel::check(indexOf(face) < s.surface.faceCount(), "a face of the limit surface");
     const bool made =
         s.surface.m_patches->factory.InitVertexSurface(static_cast<int>(face), &s.patch);
-    check(made, "every face of a cage has a limit"); // only holes have none
+    trixel::check(made, "every face of a cage has a limit"); // only holes have none
     s.points.resize(3 * static_cast<std::size_t>(s.patch.GetNumPatchPoints()));
     s.patch.GatherControlPoints(&s.surface.m_positions.front().x, 3, s.points.data(), 3);
     s.patch.ComputePatchPoints(s.points.data(), 3);

@@ -52,6 +52,8 @@ public:
     /// creases of vertices beyond the cage's or a sharpness outside [0, kSharp].
     static Result<std::shared_ptr<const LimitSurface>> build(const TriangleMesh& cage,
                                                              std::span<const Crease> creases = {});
+    /// Whether a cage has a limit surface, but for memory; fails as `build`.
+    static Status check(const TriangleMesh& cage);
     ~LimitSurface();
     LimitSurface(const LimitSurface&) = delete;
     LimitSurface& operator=(const LimitSurface&) = delete;

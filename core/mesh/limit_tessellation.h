@@ -57,6 +57,7 @@ public:
          Progress& progress);
 
     const LimitBends& bends() const { return *m_bends; }
+    const std::shared_ptr<const LimitBends>& sharedBends() const { return m_bends; }
     const LimitSurface& surface() const { return m_bends->surface(); }
 
     std::span<const LimitVertex> vertices() const { return m_vertices; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace trixel {
@@ -15,6 +16,9 @@ namespace {
 /// saves less than the wait for its start and end costs on a busy machine.
 constexpr double kTexelsPerThread = 150'000;
 constexpr std::size_t kPiecesAtATime = 4;
+/// A texel on a limit surface takes so many times longer, at least when it is first reached.
+constexpr double kLimitCost = 8;
+constexpr double kTexelsOfTile = StrokeFace::kTileSide * StrokeFace::kTileSide;
 
 RowRange within(RowRange rows, std::uint32_t begin, std::uint32_t end)
 {
@@ -64,18 +68,48 @@ bool growCoverage(const Dab& dab,
     return grew != 0;
 }
 
+bool facesAway(const LimitTexel& texel, const Dab& dab)
+{
+    return glm::dot(texel.normal, dab.normal) < kFacesAway; // no normal faces no way
+}
+
+/// The same by where the texels lie.
+bool growCoverageAt(const Dab& dab,
+                    Falloff falloff,
+                    float flow,
+                    std::span<const LimitTexel> texels,
+                    std::span<float> coverage)
+{
+    const float inverse = 1.0F / dab.radius;
+    int grew = 0;
+    for (std::size_t k = 0; k < texels.size(); ++k) {
+        if (facesAway(texels[k], dab)) {
+            continue;
+        }
+        const glm::vec3 from = (texels[k].position - dab.centre) * inverse;
+        const float strength = flow * falloff.at(std::sqrt(glm::dot(from, from)));
+        const float before = coverage[k];
+        const float after = covered(before, dab.cap, strength);
+        grew |= after > before ? 1 : 0;
+        coverage[k] = after;
+    }
+    return grew != 0;
+}
+
 } // namespace
 
 DabPainter::DabPainter(const TexelFormat& format,
                        std::span<const float> value,
                        float hardness,
                        float flow,
-                       Threads threads)
+                       Threads threads,
+                       std::optional<LimitTexels> limit)
     : m_format(format)
     , m_blend(format, value)
     , m_falloff(hardness)
     , m_flow(flow)
     , m_threads(threads)
+    , m_limit(std::move(limit))
 {
 }
 
@@ -100,6 +134,7 @@ DabPainter::Piece& DabPainter::nextPiece()
     piece.segments.clear();
     piece.touched = {};
     piece.changes = false;
+    piece.limit = nullptr;
     return piece;
 }
 
@@ -133,6 +168,62 @@ void DabPainter::addPieces(FaceId face,
         piece.lowerRows = lowerHere;
         piece.upperRows = upperHere;
         piece.tileY = tileY;
+    }
+}
+
+void DabPainter::addLimitPieces(FaceId face, const Dab& dab, const TexelStore& store)
+{
+    LimitFaceTexels& texels = m_limit->face(face, store.face(face).level());
+    for (std::uint32_t tileY = 0; tileY < texels.tilesPerRow(); ++tileY) {
+        bool isInReach = false;
+        for (std::uint32_t tileX = 0; tileX < texels.tilesPerRow() && !isInReach; ++tileX) {
+            isInReach = texels.isInReach(tileX, tileY, dab);
+        }
+        if (isInReach) {
+            Piece& piece = nextPiece();
+            piece.face = &strokeFace(face, store);
+            piece.now = &store.face(face);
+            piece.limit = &texels;
+            piece.tileY = tileY;
+        }
+    }
+}
+
+void DabPainter::coverLimit(Piece& piece, const Dab& dab) const
+{
+    LimitSurface::Evaluator evaluator(m_limit->surface());
+    for (std::uint32_t tileX = 0; tileX < piece.limit->tilesPerRow(); ++tileX) {
+        if (piece.limit->isInReach(tileX, piece.tileY, dab)) {
+            coverTile(piece, tileX, piece.limit->texels(tileX, piece.tileY, evaluator), dab);
+        }
+    }
+}
+
+void DabPainter::coverTile(Piece& piece,
+                           std::uint32_t tileX,
+                           std::span<const LimitTexel> texels,
+                           const Dab& dab) const
+{
+    const std::uint32_t side = piece.face->tileSide();
+    const float reach = dab.radius * dab.radius;
+    for (std::uint32_t row = 0; row < side; ++row) {
+        const auto line = texels.subspan(std::size_t{row} * side, side);
+        const auto isInside = [&](const LimitTexel& texel) {
+            const glm::vec3 from = texel.position - dab.centre;
+            return glm::dot(from, from) < reach && !facesAway(texel, dab);
+        };
+        const auto first = std::ranges::find_if(line, isInside);
+        if (first == line.end()) {
+            continue;
+        }
+        const auto last = std::find_if(line.rbegin(), line.rend(), isInside).base();
+        const auto begin = static_cast<std::uint32_t>(first - line.begin());
+        const auto count = static_cast<std::uint32_t>(last - first);
+        const StrokeTile& tile = piece.face->reach(tileX, piece.tileY, *piece.now);
+        const auto coverage = tile.coverage().subspan(row * side + begin, count);
+        if (growCoverageAt(dab, m_falloff, m_flow, line.subspan(begin, count), coverage)) {
+            note(piece, tile, tileX * side + begin, piece.tileY * side + row, count);
+        }
     }
 }
 
@@ -176,11 +267,15 @@ void DabPainter::note(
 
 void DabPainter::cover(Piece& piece, const Dab& dab) const
 {
-    for (std::uint32_t row = piece.lowerRows.begin; row < piece.lowerRows.end; ++row) {
-        coverRow(piece, piece.lower, row, dab);
-    }
-    for (std::uint32_t row = piece.upperRows.begin; row < piece.upperRows.end; ++row) {
-        coverRow(piece, piece.upper, row, dab);
+    if (piece.limit != nullptr) {
+        coverLimit(piece, dab);
+    } else {
+        for (std::uint32_t row = piece.lowerRows.begin; row < piece.lowerRows.end; ++row) {
+            coverRow(piece, piece.lower, row, dab);
+        }
+        for (std::uint32_t row = piece.upperRows.begin; row < piece.upperRows.end; ++row) {
+            coverRow(piece, piece.upper, row, dab);
+        }
     }
     // Only a constant face needs to know: spreading it out is what costs.
     piece.changes = !piece.segments.empty() && (!piece.now->isConstant() || changesAnything(piece));
@@ -266,6 +361,19 @@ void DabPainter::makeWritable(TexelStore& store)
     }
 }
 
+double DabPainter::expectedTexels(const Piece& piece, const Dab& dab) const
+{
+    if (piece.limit == nullptr) {
+        return (piece.lowerRows.end - piece.lowerRows.begin) * piece.lower.longestRow() * 0.5 +
+               (piece.upperRows.end - piece.upperRows.begin) * piece.upper.longestRow() * 0.5;
+    }
+    double texels = 0;
+    for (std::uint32_t tileX = 0; tileX < piece.limit->tilesPerRow(); ++tileX) {
+        texels += piece.limit->isInReach(tileX, piece.tileY, dab) ? kTexelsOfTile : 0;
+    }
+    return texels * kLimitCost;
+}
+
 Threads DabPainter::threadsFor(double texels) const
 {
     const double useful = std::clamp(texels / kTexelsPerThread, 1.0, 1024.0);
@@ -280,13 +388,15 @@ void DabPainter::paint(const Dab& dab,
     check(store.format() == m_format, "the format the stroke began with");
     m_pieceCount = 0;
     for (const FaceId face : faces) {
-        addPieces(face, dab, mesh, store);
+        if (m_limit) {
+            addLimitPieces(face, dab, store);
+        } else {
+            addPieces(face, dab, mesh, store);
+        }
     }
     double texels = 0; // about: enough to choose how many threads to start
     for (std::size_t k = 0; k < m_pieceCount; ++k) {
-        const Piece& piece = m_pieces[k];
-        texels += (piece.lowerRows.end - piece.lowerRows.begin) * piece.lower.longestRow() * 0.5;
-        texels += (piece.upperRows.end - piece.upperRows.begin) * piece.upper.longestRow() * 0.5;
+        texels += expectedTexels(m_pieces[k], dab);
     }
     const Threads threads = threadsFor(texels);
     parallelFor(m_pieceCount, kPiecesAtATime, threads, [&](std::size_t begin, std::size_t end) {

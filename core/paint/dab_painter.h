@@ -3,11 +3,13 @@
 
 #include "core/base/parallel.h"
 #include "core/paint/dab_raster.h"
+#include "core/paint/limit_texels.h"
 #include "core/paint/stroke.h"
 #include "core/paint/stroke_buffer.h"
 #include "core/paint/texel_blend.h"
 
 #include <deque>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -27,7 +29,8 @@ public:
                std::span<const float> value,
                float hardness,
                float flow,
-               Threads threads);
+               Threads threads,
+               std::optional<LimitTexels> limit = {});
 
     /// \param faces  faces to paint, each once
     void paint(const Dab& dab,
@@ -57,7 +60,8 @@ private:
     {
         StrokeFace* face = nullptr;
         const FaceTexels* now = nullptr;
-        std::span<std::byte> texels; ///< all of the face, once it is writable
+        std::span<std::byte> texels;      ///< all of the face, once it is writable
+        LimitFaceTexels* limit = nullptr; ///< where the texels lie, if not on the cage
         HalfRaster lower;
         HalfRaster upper;
         RowRange lowerRows;
@@ -71,7 +75,14 @@ private:
     StrokeFace& strokeFace(FaceId face, const TexelStore& store);
     void addPieces(FaceId face, const Dab& dab, const TriangleMesh& mesh, const TexelStore& store);
     Piece& nextPiece();
+    void addLimitPieces(FaceId face, const Dab& dab, const TexelStore& store);
+    double expectedTexels(const Piece& piece, const Dab& dab) const;
     void cover(Piece& piece, const Dab& dab) const;
+    void coverLimit(Piece& piece, const Dab& dab) const;
+    void coverTile(Piece& piece,
+                   std::uint32_t tileX,
+                   std::span<const LimitTexel> texels,
+                   const Dab& dab) const;
     void coverRow(Piece& piece, const HalfRaster& half, std::uint32_t row, const Dab& dab) const;
     static void note(Piece& piece,
                      const StrokeTile& tile,
@@ -91,6 +102,7 @@ private:
     Falloff m_falloff;
     float m_flow;
     Threads m_threads;
+    std::optional<LimitTexels> m_limit; ///< where texels lie, if not on the cage
 
     std::deque<StrokeFace> m_faces;                           ///< in the order they were reached
     std::unordered_map<std::uint32_t, std::size_t> m_placeOf; ///< of a face in m_faces

@@ -8,9 +8,6 @@ namespace trixel {
 
 namespace {
 
-/// Cosine below which a face counts as facing away: a dab still goes round a sharp convex edge.
-constexpr float kFacesAway = -0.2F;
-
 std::vector<FaceId> sorted(std::vector<FaceId> faces)
 {
     std::ranges::sort(faces);
@@ -19,8 +16,11 @@ std::vector<FaceId> sorted(std::vector<FaceId> faces)
 
 } // namespace
 
-DabReach::DabReach(std::shared_ptr<const Surface> surface, bool paintThrough)
+DabReach::DabReach(std::shared_ptr<const Surface> surface,
+                   bool paintThrough,
+                   std::shared_ptr<const LimitMesh> limit)
     : m_surface(std::move(surface))
+    , m_limit(std::move(limit))
     , m_paintThrough(paintThrough)
     , m_flipped(sorted(m_surface->report().flippedFaces))
     , m_facesNoWay(m_surface->report().degenerateFaces)
@@ -46,12 +46,26 @@ glm::vec3 DabReach::normalOf(FaceId face) const
     return glm::vec3(normal / (flipped ? -length : length));
 }
 
+glm::vec3 DabReach::turned(FaceId face, glm::vec3 normal) const
+{
+    if (std::ranges::binary_search(m_facesNoWay, face)) {
+        return glm::vec3(0);
+    }
+    return std::ranges::binary_search(m_flipped, face) ? -normal : normal;
+}
+
 void DabReach::facesOf(const Dab& dab, std::vector<FaceId>& faces) const
 {
     faces.clear();
     // A little more than the radius: a centroid on the rim is never lost to rounding.
-    m_surface->bvh().facesWithin(dab.centre, dab.radius * 1.00001F, faces);
-    if (m_paintThrough || dab.normal == glm::vec3(0)) {
+    const float radius = dab.radius * 1.00001F;
+    if (m_limit) { // whose triangles are off it
+        const auto off = static_cast<float>(m_limit->tessellation().error());
+        m_limit->facesWithin(dab.centre, radius + off, faces);
+    } else {
+        m_surface->bvh().facesWithin(dab.centre, radius, faces);
+    }
+    if (m_paintThrough || m_limit || dab.normal == glm::vec3(0)) {
         return;
     }
     std::erase_if(faces,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/paint/paint_surface.h"
 #include "core/paint/stroke_file.h"
 
 #include <algorithm>
@@ -49,10 +50,24 @@ Status replayStrokes(std::span<const RecordedStroke> strokes,
             return prefixed("stroke " + std::to_string(k + 1) + ", brush", valid.error());
         }
     }
+    std::shared_ptr<const LimitMesh> limit;
+    if (std::ranges::any_of(strokes, &RecordedStroke::onLimit)) {
+        StageProgress preparing(progress, 0.0, 0.5);
+        auto made = limitToPaintOn(*surface, threads, preparing);
+        if (!made) {
+            return prefixed("limit surface", made.error());
+        }
+        limit = std::move(*made);
+    }
     TexelStore painted = store; // cheap; cancelling leaves the store as it was
-    ReplayProgress watched(strokes, progress);
+    StageProgress painting(progress, limit ? 0.5 : 0.0, 1.0);
+    ReplayProgress watched(strokes, painting);
     for (const RecordedStroke& recorded : strokes) {
-        Stroke stroke(surface, recorded.brush, {fill.begin(), fill.end()}, threads);
+        Stroke stroke(surface,
+                      recorded.brush,
+                      {fill.begin(), fill.end()},
+                      threads,
+                      recorded.onLimit ? limit : nullptr);
         for (const StrokeSample& sample : recorded.samples) {
             if (!watched.step()) {
                 return cancelled();

@@ -13,11 +13,16 @@ namespace trixel {
 class Stroke::State
 {
 public:
-    State(std::shared_ptr<const Surface> surface,
+    State(const std::shared_ptr<const Surface>& surface,
           const Brush& brush,
           std::vector<std::byte> fill,
-          Threads threads)
-        : m_dabs(std::move(surface), brush)
+          Threads threads,
+          const std::shared_ptr<const LimitMesh>& limit)
+        : m_dabs(surface, brush, limit)
+        , m_limit(limit)
+        , m_reach(limit && !brush.paintThrough
+                      ? std::make_shared<const DabReach>(surface, false, limit)
+                      : nullptr)
         , m_brush(brush)
         , m_fill(std::move(fill))
         , m_threads(threads)
@@ -55,12 +60,16 @@ private:
                               strokeTarget(m_brush, store.format(), m_fill),
                               m_brush.hardness,
                               m_brush.flow,
-                              m_threads);
+                              m_threads,
+                              m_limit ? std::optional(LimitTexels(m_limit, m_reach))
+                                      : std::nullopt);
         }
         return *m_painter;
     }
 
     StrokeDabs m_dabs;
+    std::shared_ptr<const LimitMesh> m_limit;
+    std::shared_ptr<const DabReach> m_reach; ///< where texels that face away stay
     Brush m_brush;
     std::vector<std::byte> m_fill;
     Threads m_threads;
@@ -70,9 +79,10 @@ private:
 Stroke::Stroke(std::shared_ptr<const Surface> surface,
                const Brush& brush,
                std::vector<std::byte> fill,
-               Threads threads)
+               Threads threads,
+               std::shared_ptr<const LimitMesh> limit)
 {
-    m_state = std::make_unique<State>(std::move(surface), brush, std::move(fill), threads);
+    m_state = std::make_unique<State>(surface, brush, std::move(fill), threads, limit);
 }
 
 Stroke::~Stroke() = default;

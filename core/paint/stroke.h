@@ -17,6 +17,8 @@
 
 namespace trixel {
 
+class LimitMesh;
+
 /// Where pointer or pen met the surface.
 struct StrokeSample
 {
@@ -42,12 +44,15 @@ struct StrokeSample
 class Stroke
 {
 public:
-    /// \param fill  the bytes of one texel that Erase moves towards
+    /// \param fill   the bytes of one texel that Erase moves towards
+    /// \param limit  of the surface, by `limitToPaintOn`: dabs then reach texels by where these lie
+    ///               on the limit surface; null for the surface itself
     /// The brush must be valid (checked).
     Stroke(std::shared_ptr<const Surface> surface,
            const Brush& brush,
            std::vector<std::byte> fill,
-           Threads threads = Threads::all());
+           Threads threads = Threads::all(),
+           std::shared_ptr<const LimitMesh> limit = {});
     ~Stroke();
     Stroke(Stroke&&) noexcept;
     Stroke& operator=(Stroke&&) noexcept;

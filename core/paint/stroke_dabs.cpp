@@ -31,13 +31,30 @@ std::shared_ptr<const Surface> present(std::shared_ptr<const Surface> surface)
 
 } // namespace
 
-StrokeDabs::StrokeDabs(std::shared_ptr<const Surface> surface, const Brush& brush)
+StrokeDabs::StrokeDabs(std::shared_ptr<const Surface> surface,
+                       const Brush& brush,
+                       std::shared_ptr<const LimitMesh> limit)
     : m_surface(present(std::move(surface)))
+    , m_limit(std::move(limit))
     , m_brush(brush)
     , m_path(brush)
-    , m_reach(m_surface, brush.paintThrough)
+    , m_reach(m_surface, brush.paintThrough, m_limit)
 {
     check(validate(brush).has_value(), "a valid brush");
+    check(!m_limit || m_limit->surface().faceCount() == m_surface->mesh().faceCount(),
+          "the limit of this surface");
+}
+
+glm::vec3 StrokeDabs::positionOf(FaceId face, glm::vec2 uv) const
+{
+    return m_limit ? glm::vec3(m_limit->surface().at(face, glm::dvec2(uv)).position)
+                   : pointAt(mesh().corners(face), uv.x, uv.y);
+}
+
+glm::vec3 StrokeDabs::limitNormal(FaceId face, glm::vec2 uv) const
+{
+    const glm::dvec3 normal = m_limit->surface().at(face, glm::dvec2(uv)).normal();
+    return m_reach.turned(face, glm::vec3(normal));
 }
 
 void StrokeDabs::add(const StrokeSample& sample, const Place& place)
@@ -48,7 +65,7 @@ void StrokeDabs::add(const StrokeSample& sample, const Place& place)
         return;
     }
     const glm::vec2 uv = insideTriangle(sample.uv);
-    const glm::vec3 position = pointAt(mesh().corners(sample.face), uv.x, uv.y);
+    const glm::vec3 position = positionOf(sample.face, uv);
     if (!isFinite(position)) {
         return;
     }
@@ -69,17 +86,20 @@ void StrokeDabs::placeDab(const StrokeSample& sample,
     }
     // Between samples the straight way leaves a curved surface: back onto it.
     FaceId face = sample.face;
+    glm::vec2 uv = insideTriangle(sample.uv);
     dab.centre = point.position;
     if (!point.isSample) {
-        const auto nearest =
-            m_surface->bvh().closestPoint(point.position, std::numeric_limits<float>::infinity());
+        constexpr float kAnywhere = std::numeric_limits<float>::infinity();
+        const auto nearest = m_limit ? m_limit->closestPoint(point.position, kAnywhere)
+                                     : m_surface->bvh().closestPoint(point.position, kAnywhere);
         if (!nearest) {
             return;
         }
         face = nearest->face;
+        uv = nearest->uv;
         dab.centre = nearest->position;
     }
-    dab.normal = m_reach.normalOf(face);
+    dab.normal = m_limit ? limitNormal(face, uv) : m_reach.normalOf(face);
     m_reach.facesOf(dab, m_faces);
     place(dab, m_faces);
 }

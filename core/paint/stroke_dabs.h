@@ -31,7 +31,10 @@ public:
     using Place = std::function<void(const Dab& dab, std::span<const FaceId> faces)>;
 
     /// The brush must be valid (checked).
-    StrokeDabs(std::shared_ptr<const Surface> surface, const Brush& brush);
+    /// \param limit  of the surface, by `limitToPaintOn`, to paint on instead; null for the cage
+    StrokeDabs(std::shared_ptr<const Surface> surface,
+               const Brush& brush,
+               std::shared_ptr<const LimitMesh> limit = {});
 
     const TriangleMesh& mesh() const { return m_surface->mesh(); }
 
@@ -43,9 +46,12 @@ public:
     void lift() { m_path.lift(); }
 
 private:
+    glm::vec3 limitNormal(FaceId face, glm::vec2 uv) const;
+    glm::vec3 positionOf(FaceId face, glm::vec2 uv) const;
     void placeDab(const StrokeSample& sample, const StrokePath::Point& point, const Place& place);
 
     std::shared_ptr<const Surface> m_surface;
+    std::shared_ptr<const LimitMesh> m_limit;
     Brush m_brush;
     StrokePath m_path;
     DabReach m_reach;

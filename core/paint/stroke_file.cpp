@@ -144,10 +144,14 @@ parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
     if (!fields) {
         return tl::unexpected(fields.error());
     }
-    const Status status =
-        firstError({fields->onlyHas({"layer", "brush", "samples"}), fields->mustBe("layer", 0)});
+    const Status status = firstError(
+        {fields->onlyHas({"layer", "surface", "brush", "samples"}), fields->mustBe("layer", 0)});
     if (!status) {
         return tl::unexpected(status.error());
+    }
+    const Json* surface = fields->find("surface");
+    if (surface != nullptr && *surface != "cage" && *surface != "limit") {
+        return fields->error("surface", "\"cage\" or \"limit\"", *surface);
     }
     const auto brushField = fields->need("brush");
     const auto samples = fields->array("samples");
@@ -159,6 +163,7 @@ parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
         return tl::unexpected(brush.error());
     }
     RecordedStroke stroke{*brush, {}};
+    stroke.onLimit = surface != nullptr && *surface == "limit";
     stroke.samples.reserve((*samples)->size());
     for (const Json& entry : **samples) {
         const std::string samplePlace =
@@ -185,20 +190,24 @@ Json toJson(const RecordedStroke& stroke)
                            {"pressure", sample.pressure},
                            {"time", sample.time}});
     }
-    return {{"layer", 0},
-            {"brush",
-             {{"radius", brush.radius},
-              {"unit", "world"},
-              {"hardness", brush.hardness},
-              {"opacity", brush.opacity},
-              {"flow", brush.flow},
-              {"spacing", brush.spacing},
-              {"blend", std::string(blend->first)},
-              {"color", brush.color},
-              {"pressureToSize", brush.pressureToSize},
-              {"pressureToOpacity", brush.pressureToOpacity},
-              {"paintThrough", brush.paintThrough}}},
-            {"samples", std::move(samples)}};
+    Json json{{"layer", 0},
+              {"brush",
+               {{"radius", brush.radius},
+                {"unit", "world"},
+                {"hardness", brush.hardness},
+                {"opacity", brush.opacity},
+                {"flow", brush.flow},
+                {"spacing", brush.spacing},
+                {"blend", std::string(blend->first)},
+                {"color", brush.color},
+                {"pressureToSize", brush.pressureToSize},
+                {"pressureToOpacity", brush.pressureToOpacity},
+                {"paintThrough", brush.paintThrough}}},
+              {"samples", std::move(samples)}};
+    if (stroke.onLimit) { // readers from before there were limit surfaces take what they know
+        json["surface"] = "limit";
+    }
+    return json;
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct RecordedStroke
 {
     Brush brush;
     std::vector<StrokeSample> samples;
+    bool onLimit = false; ///< painted on the limit surface, by `limitToPaintOn`, not on the cage
 };
 
 /// Reads a stroke file (JSON, version 1; see the command line's documentation). Errors name the
@@ -26,6 +27,7 @@ struct RecordedStroke
 /// Required are "version", "strokes", each stroke's "brush" (with "radius" and "color") and
 /// "samples" (each with "face", "u" and "v"); what else is left out has its default. Beyond the
 /// documented fields a brush may hold "pressureToSize", "pressureToOpacity" and "paintThrough";
+/// a stroke a "surface", "cage" or "limit";
 /// fields of other names are refused, and so are layers but 0, units but "world" and brushes that
 /// `validate` refuses.
 Result<std::vector<RecordedStroke>> parseStrokes(std::string_view json, std::size_t faceCount);
@@ -34,7 +36,8 @@ Result<std::vector<RecordedStroke>> parseStrokes(std::string_view json, std::siz
 std::string writeStrokes(std::span<const RecordedStroke> strokes);
 
 /// Replays strokes in order on a store. The result does not depend on the number of threads. Fails
-/// when a brush is not valid or when cancelled, and then leaves the store as it was.
+/// when a brush is not valid, when a stroke is on the limit of a surface that has none, or when
+/// cancelled, and then leaves the store as it was.
 Status replayStrokes(std::span<const RecordedStroke> strokes,
                      const std::shared_ptr<const Surface>& surface,
                      std::span<const std::byte> fill,

@@ -147,7 +147,9 @@ void Document::releaseHeldTexels()
     }
 }
 
-void Document::beginStroke(const Brush& brush, StrokePace pace)
+void Document::beginStroke(const Brush& brush,
+                           StrokePace pace,
+                           std::shared_ptr<const LimitMesh> limit)
 {
     if (!isOpen()) {
         return;
@@ -158,20 +160,22 @@ void Document::beginStroke(const Brush& brush, StrokePace pace)
         return;
     }
     if (isSettling()) {
-        m_kept = KeptStroke{brush, pace, {}};
+        m_kept = KeptStroke{brush, pace, std::move(limit), {}};
     } else {
-        start(brush, pace);
+        start(brush, pace, std::move(limit));
     }
 }
 
-void Document::start(const Brush& brush, StrokePace pace)
+void Document::start(const Brush& brush,
+                     StrokePace pace,
+                     std::shared_ptr<const LimitMesh> limit)
 {
     m_brush = brush;
     m_strokeErases = brush.blend == BlendMode::Erase;
-    if (pace == StrokePace::Behind) {
+    if (pace == StrokePace::Behind && !limit) {
         startBehind(brush);
     } else {
-        m_stroke.emplace(m_project.surface, brush, m_fill);
+        m_stroke.emplace(m_project.surface, brush, m_fill, Threads::all(), std::move(limit));
     }
 }
 

@@ -104,7 +104,10 @@ public:
 
     /// Starts a stroke, ending one in progress. An unusable brush is refused with `notice`. While
     /// another stroke is settling it is kept, and painted when that has come to rest.
-    void beginStroke(const Brush& brush, StrokePace pace = StrokePace::AtOnce);
+    /// \param limit  of the surface, to paint on instead (see `Stroke`), at once whatever the pace
+    void beginStroke(const Brush& brush,
+                     StrokePace pace = StrokePace::AtOnce,
+                     std::shared_ptr<const LimitMesh> limit = {});
     /// Does nothing without a stroke in progress.
     void extendStroke(const StrokeSample& sample);
     /// The pointer came to another part of the surface: no dabs on the way there.
@@ -164,6 +167,7 @@ private:
     {
         Brush brush;
         StrokePace pace = StrokePace::AtOnce;
+        std::shared_ptr<const LimitMesh> limit;
         std::vector<std::optional<StrokeSample>> samples; ///< none where it was lifted
     };
     /// What waits for a stroke to settle.
@@ -172,7 +176,7 @@ private:
         bool isEdit = false;
         std::function<void()> work;
     };
-    void start(const Brush& brush, StrokePace pace);
+    void start(const Brush& brush, StrokePace pace, std::shared_ptr<const LimitMesh> limit);
     void extend(const StrokeSample& sample);
     void finish();
     void startBehind(const Brush& brush);

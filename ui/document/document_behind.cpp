@@ -116,7 +116,7 @@ void Document::doLater()
 
 void Document::play(const KeptStroke& kept)
 {
-    start(kept.brush, kept.pace);
+    start(kept.brush, kept.pace, kept.limit);
     for (const std::optional<StrokeSample>& sample : kept.samples) {
         if (sample) {
             extend(*sample);
