@@ -251,6 +251,10 @@ void Renderer::draw(const Scene& scene)
     m_figures.levelsDropped = shown.levelsDropped();
     m_figures.faces = m_faceCount;
     m_figures.triangles = m_faceCount;
+    if (const auto& limit = m_surface->limit().shown(); scene.surface.limit && limit) {
+        m_figures.triangles = limit->triangles().size();
+        m_figures.surfaceError = limit->error();
+    }
     m_figures.texels = shown.texelsUsed();
     m_figures.residentBytes = shown.cardBytes();
     m_figures.budgetBytes = m_cardBudget;

@@ -43,6 +43,8 @@ public:
     void setNormals(std::span<const std::uint32_t> normals) { m_surface->setNormals(normals); }
     /// See `SurfacePass::setFaceColors`.
     void setFaceColors(std::span<const std::uint32_t> colors) { m_surface->setFaceColors(colors); }
+    /// The limit surface that `SurfaceStyle::limit` shows; sent by `LimitBuffers::send`.
+    LimitBuffers& limit() { return m_surface->limit(); }
     /// No mesh at all.
     void clear();
 

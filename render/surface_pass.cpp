@@ -123,7 +123,8 @@ QVector3D vectorOf(const Rgba& color)
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 {
     std::unique_ptr<SurfacePass> pass(new SurfacePass(gl));
-    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle(), LookRule())); !made) {
+    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle(), LookRule()), false);
+        !made) {
         return tl::unexpected(made.error());
     }
     return pass;
@@ -131,6 +132,7 @@ Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 
 SurfacePass::SurfacePass(Gl& gl)
     : m_gl(gl)
+    , m_limit(gl)
     , m_positions(gl, GL_RGB32F, sizeof(glm::vec3))
     , m_triangles(gl, GL_RGB32UI, sizeof(Triangle))
     , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
@@ -143,9 +145,9 @@ SurfacePass::SurfacePass(Gl& gl)
     m_scale.fill(std::as_bytes(std::span(colors)));
 }
 
-Status SurfacePass::makeProgram(std::size_t variant)
+Status SurfacePass::makeProgram(std::size_t variant, bool isLimit)
 {
-    auto made = loadProgram(QStringLiteral("surface.vert"),
+    auto made = loadProgram(isLimit ? QStringLiteral("limit.vert") : QStringLiteral("surface.vert"),
                             QStringLiteral("surface.frag"),
                             definesOf(variant),
                             piecesOf(variant),
@@ -172,7 +174,7 @@ Status SurfacePass::makeProgram(std::size_t variant)
                                          vectorOf(markColor(Mark::NotANumber))};
     program.setUniformValueArray("markColors", marks.data(), static_cast<int>(marks.size()));
     program.release();
-    m_programs[variant] = std::move(*made);
+    m_programs[isLimit ? 1 : 0][variant] = std::move(*made);
     return {};
 }
 
@@ -182,8 +184,14 @@ Status SurfacePass::makeAllPrograms()
         if (!occurs(variant)) {
             continue;
         }
-        if (const Status made = makeProgram(variant); !made) {
+        if (const Status made = makeProgram(variant, false); !made) {
             return made;
+        }
+        // Of the limit surface few stand for all: they have the fragments in common.
+        if (const bool isOne = variant % kLooks % 8 == 0; isOne) {
+            if (const Status made = makeProgram(variant, true); !made) {
+                return made;
+            }
         }
     }
     return {};
@@ -193,6 +201,7 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
 {
     m_faceCount = 0;
     setFilterMesh(nullptr);
+    m_limit.set(nullptr);
     m_normals.fill({});
     m_faceColors.fill({});
     const std::size_t most = TextureBuffer::maxElements(m_gl);
@@ -281,10 +290,12 @@ void SurfacePass::draw(const Camera& camera,
     const bool isPainted = preview != nullptr && preview->isShown();
     const std::size_t variant =
         variantOf(possible, look.rule, isPainted) + kLooks * filteringOf(possible);
-    if (!m_programs[variant] && !makeProgram(variant)) {
+    const bool isLimit = style.limit && m_limit.shown();
+    Program& made = m_programs[isLimit ? 1 : 0][variant];
+    if (!made && !makeProgram(variant, isLimit)) {
         return;
     }
-    QOpenGLShaderProgram& program = *m_programs[variant];
+    QOpenGLShaderProgram& program = *made;
     program.bind();
     if (filteringOf(possible) >= static_cast<std::size_t>(Filtering::Seamless)) {
         check(m_filterMesh != nullptr, "a mesh to filter over");
@@ -306,7 +317,7 @@ void SurfacePass::draw(const Camera& camera,
     }
     program.setUniformValue("view", toQt(camera.view()));
     program.setUniformValue("projection", toQt(camera.projection()));
-    program.setUniformValue("hasNormals", m_normals.size() > 0);
+    program.setUniformValue("hasNormals", isLimit || m_normals.size() > 0);
     program.setUniformValue("lineWidth", style.pixelRatio);
 
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -314,7 +325,11 @@ void SurfacePass::draw(const Camera& camera,
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glDisable(GL_BLEND);
-    m_gl.glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * m_faceCount));
+    if (isLimit) {
+        m_limit.draw();
+    } else {
+        m_gl.glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * m_faceCount));
+    }
     program.release();
 }
 

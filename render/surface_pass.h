@@ -7,6 +7,7 @@
 #include "render/filter_mesh.h"
 #include "render/filtering.h"
 #include "render/gl.h"
+#include "render/limit_buffers.h"
 #include "render/look.h"
 #include "render/paint_preview.h"
 #include "render/program.h"
@@ -29,6 +30,7 @@ struct SurfaceStyle
     bool texelGrid = false;
     bool hasAlpha = false;   ///< texels lie over a checker
     bool faceColors = false; ///< each face in its one colour, in place of its texels
+    bool limit = false;      ///< as the limit surface's tessellation, where there is one
     Filtering filtering = Filtering::Texels;
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
@@ -59,6 +61,9 @@ public:
     /// What ways of filtering over vertices read of the mesh (checked to be of it), or nothing.
     void setFilterMesh(std::shared_ptr<const FilterMesh> mesh);
 
+    /// What `SurfaceStyle::limit` shows, of the mesh; forgotten with it.
+    LimitBuffers& limit() { return m_limit; }
+
     /// \param texels   of the mesh, or vertices where the style filters over these; nothing is
     /// drawn
     ///                 while they are empty
@@ -79,12 +84,14 @@ private:
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);
-    Status makeProgram(std::size_t variant);
+    Status makeProgram(std::size_t variant, bool isLimit);
     void setFilter(QOpenGLShaderProgram& program, const Camera& camera, Filtering filtering);
     static void setLook(QOpenGLShaderProgram& program, const CardLook& look);
 
     Gl& m_gl;
-    std::array<Program, kVariants> m_programs; ///< one a way of drawing, made when first used
+    /// One a way of drawing, made when first used: of the cage, and of its limit surface.
+    std::array<std::array<Program, kVariants>, 2> m_programs;
+    LimitBuffers m_limit;
     TextureBuffer m_positions;
     TextureBuffer m_triangles;
     TextureBuffer m_normals;

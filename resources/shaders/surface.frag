@@ -28,9 +28,9 @@ in vec2 uv;
 in vec3 viewPosition;
 in vec3 viewNormal;
 flat in uvec2 record;
+flat in int faceNumber;
 #if FILTERING >= 3
 uniform float unitsPerPixel; // world length of a device pixel at distance 1
-flat in int faceNumber;
 in vec2 log2Scale; // of the length of edges, and of texels, about here
 in vec3 meanNormal;
 in float flatness;
@@ -133,7 +133,7 @@ Shown shownOf(vec4 texel)
 // The face's square: `PaintSquare::word` in render/paint_squares.h.
 uint squareWord()
 {
-    return PAINTED == 1 ? texelFetch(squares, gl_PrimitiveID).x : 0u;
+    return PAINTED == 1 ? texelFetch(squares, faceNumber).x : 0u;
 }
 
 // A texel as the stroke in progress leaves it: what `TexelBlend` does on the processor.
@@ -278,7 +278,7 @@ void main()
     Shown texel = Shown(vec4(0.0, 0.0, 0.0, 1.0), 0.0);
     vec3 own = kPendingColor;
     if (LOOK == 4) {
-        own = texelFetch(faceColors, gl_PrimitiveID).rgb;
+        own = texelFetch(faceColors, faceNumber).rgb;
     } else if ((record.y & kPending) == 0u) {
         texel = shownTexel(resolution);
         own = LOOK == 3   ? scaleColor(texel.parts.x)

@@ -14,9 +14,9 @@ out vec2 uv;
 out vec3 viewPosition;
 out vec3 viewNormal;
 flat out uvec2 record;
+flat out int faceNumber;
 #if FILTERING >= 3
 uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_mesh.h
-flat out int faceNumber;
 out vec2 log2Scale;
 out vec3 meanNormal;
 out float flatness;
@@ -36,6 +36,7 @@ void main()
 {
     int face = gl_VertexID / 3;
     int corner = gl_VertexID - 3 * face;
+    faceNumber = face;
     uint vertex = texelFetch(triangles, face)[corner];
     vec4 position = view * vec4(texelFetch(positions, int(vertex)).xyz, 1.0);
 
@@ -48,7 +49,6 @@ void main()
     }
 #if FILTERING >= 3
     uvec4 scale = texelFetch(scales, int(vertex));
-    faceNumber = face;
     log2Scale = uintBitsToFloat(scale.xy);
     meanNormal = mat3(view) * unpackNormal(scale.z);
     flatness = uintBitsToFloat(scale.w);

@@ -85,9 +85,8 @@ displayOf(const TexelFormat& format, std::span<const float> values, const render
     return display;
 }
 
-void addFootprint(HoveredTexel& texel, const TriangleMesh& mesh, const PixelRay& ray)
+void addFootprint(HoveredTexel& texel, const std::array<glm::vec3, 3>& corners, const PixelRay& ray)
 {
-    const auto corners = mesh.corners(texel.point.face);
     texel.hasFootprint = true;
     texel.footprint = screenFootprint(ray, corners);
     texel.ellipse = ellipseOf(texel.footprint, corners);

@@ -8,6 +8,7 @@
 #include "core/texture/texel_store.h"
 #include "render/look.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -79,6 +80,9 @@ TexelDisplay
 displayOf(const TexelFormat& format, std::span<const float> values, const render::Look& look);
 
 /// Adds the footprint of the pixel that a ray goes through.
-void addFootprint(HoveredTexel& texel, const TriangleMesh& mesh, const PixelRay& ray);
+/// \param corners  of the face, or of one that touches a curved surface at the texel's point
+void addFootprint(HoveredTexel& texel,
+                  const std::array<glm::vec3, 3>& corners,
+                  const PixelRay& ray);
 
 } // namespace trixel::ui

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace trixel::ui {
 
@@ -15,13 +16,16 @@ constexpr double kAlwaysBridged = 2.0;
 
 } // namespace
 
-void StrokeInput::begin(const Brush& brush, double time, StrokePace pace)
+void StrokeInput::begin(const Brush& brush,
+                        double time,
+                        StrokePace pace,
+                        std::shared_ptr<const LimitMesh> limit)
 {
     m_brush = brush;
     m_startTime = time;
     m_onSurface = false;
     m_hasSamples = false;
-    m_document.beginStroke(brush, pace);
+    m_document.beginStroke(brush, pace, std::move(limit));
     m_active = m_document.isTakingSamples();
 }
 

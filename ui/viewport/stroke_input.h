@@ -6,7 +6,12 @@
 #include "ui/document/document.h"
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
+
+namespace trixel {
+class LimitMesh;
+}
 
 namespace trixel::ui {
 
@@ -27,7 +32,11 @@ public:
     {
     }
 
-    void begin(const Brush& brush, double time, StrokePace pace = StrokePace::AtOnce);
+    /// \param limit  to paint on instead of the cage
+    void begin(const Brush& brush,
+               double time,
+               StrokePace pace = StrokePace::AtOnce,
+               std::shared_ptr<const LimitMesh> limit = {});
     /// \param hit            what the pointer is over, if anything
     /// \param worldPerPixel  length of a device pixel there
     void

@@ -4,6 +4,7 @@
 #include "core/lattice/texel.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr int kRingPoints = 72;
 constexpr int kEllipsePoints = 48;
+/// That a texel's side is drawn in on a curved surface.
+constexpr int kCurvePieces = 8;
 /// How far above and below its plane a ring looks for the surface, in radii.
 constexpr float kReach = 0.7F;
 /// Places, at half the radius, whose normals are averaged: a scan's own face is too rough.
@@ -28,15 +31,6 @@ constexpr float kHeldWidth = 2.6F;
 /// Ticks of a held texel: pixels from its corners to where they begin and end.
 constexpr float kTickStart = 5;
 constexpr float kTickEnd = 15;
-
-/// Unit normal of a face; zero when it has no area.
-glm::vec3 normalOf(const TriangleMesh& mesh, FaceId face)
-{
-    const auto c = mesh.corners(face);
-    const glm::vec3 cross = glm::cross(c[1] - c[0], c[2] - c[0]);
-    const float area = glm::length(cross);
-    return area > 0 ? cross / area : glm::vec3(0);
-}
 
 /// A plane through a point: two directions within it, and its normal.
 struct Frame
@@ -67,16 +61,16 @@ glm::vec3 onCircle(const Frame& frame, glm::vec3 centre, float radius, float ang
 }
 
 /// The plane that the surface around a point lies in, roughly.
-Frame frameAround(const Surface& surface, const SurfacePoint& point, float radius)
+Frame frameAround(const SeenSurface& surface, const SurfacePoint& point, float radius)
 {
-    const glm::vec3 own = normalOf(surface.mesh(), point.face);
+    const glm::vec3 own = surface.normal(point.face, point.uv);
     const Frame rough(own);
     glm::vec3 sum = own;
     for (int k = 0; k < kNormalSamples; ++k) {
         const glm::vec3 place =
             onCircle(rough, point.position, radius / 2, angleOf(k, kNormalSamples));
-        if (const auto near = surface.bvh().closestPoint(place, kReach * radius)) {
-            const glm::vec3 normal = normalOf(surface.mesh(), near->face);
+        if (const auto near = surface.closestPoint(place, kReach * radius)) {
+            const glm::vec3 normal = surface.normal(near->face, near->uv);
             sum += glm::dot(normal, own) > 0 ? normal : glm::vec3(0);
         }
     }
@@ -85,7 +79,7 @@ Frame frameAround(const Surface& surface, const SurfacePoint& point, float radiu
 
 /// A circle seen along the normal, laid onto the surface where that is near.
 render::Polyline
-ring(const Surface& surface, const SurfacePoint& point, const Frame& frame, float radius)
+ring(const SeenSurface& surface, const SurfacePoint& point, const Frame& frame, float radius)
 {
     render::Polyline line;
     line.closed = true;
@@ -93,7 +87,7 @@ ring(const Surface& surface, const SurfacePoint& point, const Frame& frame, floa
     for (int k = 0; k < kRingPoints; ++k) {
         const glm::vec3 on = onCircle(frame, point.position, radius, angleOf(k, kRingPoints));
         const glm::vec3 down = -frame.normal;
-        const auto below = surface.bvh().raycast({on - kReach * radius * down, down});
+        const auto below = surface.raycast({on - kReach * radius * down, down});
         const bool isNear = below && glm::length(below->position - on) <= kReach * radius * 1.001F;
         line.points.push_back(isNear ? below->position : on);
     }
@@ -111,7 +105,7 @@ glm::vec3 magnified(const std::array<glm::vec3, 3>& c, glm::vec3 centre, glm::dv
 } // namespace
 
 std::vector<render::Polyline>
-brushRing(const Surface& surface, const SurfacePoint& point, const Brush& brush)
+brushRing(const SeenSurface& surface, const SurfacePoint& point, const Brush& brush)
 {
     const Frame frame = frameAround(surface, point, brush.radius);
     std::vector<render::Polyline> lines;
@@ -126,9 +120,9 @@ brushRing(const Surface& surface, const SurfacePoint& point, const Brush& brush)
     return lines;
 }
 
-std::vector<render::Polyline> footprintLines(const TriangleMesh& mesh, const HoveredTexel& texel)
+std::vector<render::Polyline> footprintLines(const SeenSurface& surface, const HoveredTexel& texel)
 {
-    const auto faceCorners = mesh.corners(texel.point.face);
+    const auto faceCorners = surface.tangentFace(texel.point.face, texel.point.uv);
     const auto at = [&](glm::dvec2 offset) {
         return magnified(faceCorners, texel.point.position, offset);
     };
@@ -153,13 +147,26 @@ std::vector<render::Polyline> footprintLines(const TriangleMesh& mesh, const Hov
     return {parallelogram, ellipse};
 }
 
-render::Polyline texelOutline(const TriangleMesh& mesh, const HoveredTexel& texel)
+std::array<glm::vec3, 3> cornersOf(const SeenSurface& surface, const HoveredTexel& texel)
 {
-    const auto faceCorners = mesh.corners(texel.point.face);
+    const auto uv = corners(texel.level, texel.texel);
+    const auto at = [&](std::size_t k) {
+        return surface.position(texel.point.face, glm::vec2(uv[k]));
+    };
+    return {at(0), at(1), at(2)};
+}
+
+render::Polyline texelOutline(const SeenSurface& surface, const HoveredTexel& texel)
+{
+    const auto uv = corners(texel.level, texel.texel);
+    const int pieces = surface.isLimit() ? kCurvePieces : 1;
     render::Polyline line;
-    for (const glm::dvec2 uv : corners(texel.level, texel.texel)) {
-        line.points.push_back(
-            pointAt(faceCorners, static_cast<float>(uv.x), static_cast<float>(uv.y)));
+    for (std::size_t k = 0; k < uv.size(); ++k) {
+        for (int p = 0; p < pieces; ++p) {
+            const double t = static_cast<double>(p) / pieces;
+            line.points.push_back(surface.position(
+                texel.point.face, glm::vec2(glm::mix(uv[k], uv[(k + 1) % uv.size()], t))));
+        }
     }
     line.closed = true;
     line.color = kTexelColor;
@@ -168,15 +175,16 @@ render::Polyline texelOutline(const TriangleMesh& mesh, const HoveredTexel& texe
 }
 
 std::vector<render::Polyline>
-heldTexelLines(const TriangleMesh& mesh, const HoveredTexel& texel, float perPixel)
+heldTexelLines(const SeenSurface& surface, const HoveredTexel& texel, float perPixel)
 {
-    render::Polyline outline = texelOutline(mesh, texel);
+    render::Polyline outline = texelOutline(surface, texel);
     outline.color = kHeldColor;
     outline.width = kHeldWidth;
     outline.hiddenOpacity = 0.4F;
-    const glm::vec3 middle = (outline.points[0] + outline.points[1] + outline.points[2]) / 3.0F;
+    const auto texelCorners = cornersOf(surface, texel);
+    const glm::vec3 middle = (texelCorners[0] + texelCorners[1] + texelCorners[2]) / 3.0F;
     std::vector<render::Polyline> lines;
-    for (const glm::vec3& corner : outline.points) {
+    for (const glm::vec3& corner : texelCorners) {
         const glm::vec3 way = corner - middle;
         const float length = glm::length(way);
         if (!(length > 0)) {

@@ -37,6 +37,7 @@ struct ViewOptions
     ViewMapKind map = ViewMapKind::None;
     render::Filtering filtering = render::Filtering::Texels;
     bool limitSurface = false; ///< the cage's smooth surface in place of the cage
+    double limitError = 0.5;   ///< pixels that it may be off by, > 0
     render::PaintOnCard paintOnCard = render::PaintOnCard::WhereFaster;
     bool hud = false;          ///< figures of the frame over the picture
     int cardBudget = 512;      ///< MiB of texels on the graphics card

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace trixel::ui {
@@ -101,6 +102,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
     connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
     d->watchInspection();
+    d->watchLimit();
     d->makeCanvas();
     d->splitBar = new SplitBar(settings, this);
     if (document.isOpen()) {
@@ -111,6 +113,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
 Viewport::~Viewport()
 {
     d->normalsWatcher.disconnect(this);
+    d->limitView.disconnect(this);
     d->outlineWatcher.disconnect(this);
     delete d->canvas; // while what it draws with is still there
 }
@@ -140,7 +143,7 @@ void Viewport::frameFace(FaceId face)
     if (!d->shownSurface || indexOf(face) >= d->shownSurface->mesh().faceCount()) {
         return;
     }
-    const auto corners = d->shownSurface->mesh().corners(face);
+    const auto corners = d->seen().tangentFace(face, glm::vec2(1.0F / 3));
     const glm::dvec3 normal =
         glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
     const double length = glm::length(normal);
@@ -220,6 +223,11 @@ bool Viewport::canDraw() const
     return d->canvas && d->canvas->isValid() && d->renderer;
 }
 
+render::FrameFigures Viewport::figures() const
+{
+    return d->renderer ? d->renderer->figures() : render::FrameFigures();
+}
+
 QImage Viewport::grabFramebuffer()
 {
     settle();
@@ -229,11 +237,13 @@ QImage Viewport::grabFramebuffer()
 void Viewport::settle()
 {
     d->waitForNormals();
+    d->settleLimit();
     if (!canDraw()) {
         return;
     }
     d->canvas->makeCurrent();
     d->sendMesh();
+    d->sendLimit(std::numeric_limits<std::size_t>::max());
     d->finishTexels();
     while (d->painting.isGivingBack() && d->shownSurface) {
         d->drawPreview();

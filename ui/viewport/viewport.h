@@ -9,6 +9,7 @@
 #include "core/mesh/bvh.h"
 #include "core/texture/texel_store.h"
 #include "render/camera.h"
+#include "render/frame_figures.h"
 #include "render/split.h"
 #include "render/overlay_pass.h"
 #include "ui/viewport/hovered_texel.h"
@@ -139,9 +140,14 @@ public:
                         double magnification = 1.0,
                         bool withFrozen = false);
 
+    /// Why the surface shown has no limit surface: a sentence; empty where it may have one.
+    QString limitSurfaceRefusal() const;
+
     /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
     /// `grabFramebuffer` is complete.
     void settle();
+    /// Of the latest frame; empty where the view cannot draw.
+    render::FrameFigures figures() const;
     /// Whether the view can draw: OpenGL is there and the widget has been shown.
     bool canDraw() const;
     /// The picture as shown, in device pixels; null where the view cannot draw.
@@ -160,6 +166,7 @@ signals:
     void cameraChanged();
     /// Other texels are shown than before, the document's or not.
     void otherTexelsShown(bool others);
+    void limitSurfaceRefusalChanged();
     /// The pick tool met a texel.
     void colorPicked(const std::array<float, 4>& color);
     /// One sentence for the status bar (OpenGL not available, texels shown reduced, …).

@@ -29,7 +29,7 @@ std::optional<SurfacePoint> Viewport::Private::hit(glm::dvec2 position) const
         return std::nullopt;
     }
     const PixelRay ray = camera.pixelRay(position);
-    return shownSurface->bvh().raycast({glm::vec3(ray.origin), glm::vec3(ray.direction)});
+    return seen().raycast({glm::vec3(ray.origin), glm::vec3(ray.direction)});
 }
 
 void Viewport::Private::hoverAt(glm::dvec2 position)
@@ -82,7 +82,7 @@ std::vector<render::Polyline> Viewport::Private::overlays() const
     if (givenFootprints && shownView.footprint) { // while the view turns, too
         lines.insert(lines.end(), givenFootprints->begin(), givenFootprints->end());
     }
-    const TriangleMesh& mesh = shownSurface->mesh();
+    const SeenSurface surface = seen();
     const bool idle = interaction == Interaction::None || interaction == Interaction::Inspect;
     const bool paints = settings.tool() == Tool::Brush || settings.tool() == Tool::Eraser;
     const auto draw = [&lines](std::vector<render::Polyline>&& more) {
@@ -90,19 +90,19 @@ std::vector<render::Polyline> Viewport::Private::overlays() const
     };
     if (hoveredTexel && shownView.footprint && hoveredTexel->hasFootprint && idle &&
         !givenFootprints) {
-        draw(footprintLines(mesh, *hoveredTexel));
+        draw(footprintLines(surface, *hoveredTexel));
     }
     if (hoveredTexel && hoveredTexel->isHeld) {
         draw(heldMark());
     } else if (hoveredTexel && idle && (!paints || shownView.texelGrid || !pointed)) {
-        lines.push_back(texelOutline(mesh, *hoveredTexel));
+        lines.push_back(texelOutline(surface, *hoveredTexel));
     }
     if (interaction == Interaction::Camera) {
         return lines;
     }
     const auto ringPoint = brushDragPoint ? brushDragPoint : pointed;
     if (ringPoint && paints) {
-        draw(brushRing(*shownSurface, *ringPoint, settings.brush()));
+        draw(brushRing(surface, *ringPoint, settings.brush()));
     }
     return lines;
 }

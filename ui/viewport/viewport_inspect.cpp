@@ -99,9 +99,9 @@ std::optional<HoveredTexel> Viewport::Private::describedTexel()
     if (!texel || !shownSurface || indexOf(texel->place.face) >= texels().faceCount()) {
         return std::nullopt;
     }
-    const auto corners = shownSurface->mesh().corners(texel->place.face);
+    const SeenSurface surface = seen();
     const SurfacePoint point{
-        texel->place.face, texel->uv, pointAt(corners, texel->uv.x, texel->uv.y)};
+        texel->place.face, texel->uv, surface.position(texel->place.face, texel->uv)};
     HoveredTexel described =
         describeTexel(*shownSurface, texels(), shownTexels, point, shownView.mipDrop);
     described.isHeld = inspection->isHeld();
@@ -110,15 +110,16 @@ std::optional<HoveredTexel> Viewport::Private::describedTexel()
         !described.isHeld && pointed && pointed->face == point.face && pointed->uv == point.uv;
     if (underPointer) {
         const PixelRay ray = rayAt(camera, *pointer);
-        addFootprint(described, shownSurface->mesh(), ray);
+        addFootprint(described, surface.tangentFace(point.face, point.uv), ray);
         if (const auto middle = hit(glm::floor(*pointer) + 0.5)) {
             described.pixelQuery = {
                 middle->face,
                 middle->uv,
-                screenFootprint(ray, shownSurface->mesh().corners(middle->face))};
+                screenFootprint(ray, surface.tangentFace(middle->face, middle->uv))};
         }
     } else if (const auto position = camera.project(point.position)) {
-        addFootprint(described, shownSurface->mesh(), camera.pixelRay(*position));
+        addFootprint(
+            described, surface.tangentFace(point.face, point.uv), camera.pixelRay(*position));
         described.pixelQuery = {point.face, point.uv, described.footprint};
     }
     return described;
@@ -141,7 +142,7 @@ void Viewport::Private::bringIntoSight()
         return;
     }
     const FaceId face = hoveredTexel->point.face;
-    const auto corners = shownSurface->mesh().corners(face);
+    const auto corners = seen().tangentFace(face, hoveredTexel->point.uv);
     const auto span = spanOnScreen(camera, corners);
     const bool isSmall = span && *span < kLeastFacePixels * q.devicePixelRatioF();
     if (isSmall || !showsFront(camera, corners) || !q.widgetPosition(hoveredTexel->point)) {
@@ -185,7 +186,7 @@ std::vector<render::Polyline> Viewport::Private::heldMark() const
     const double ratio = q.devicePixelRatioF();
     const auto perPixel =
         static_cast<float>(camera.worldPerPixel(hoveredTexel->point.position) * ratio);
-    return heldTexelLines(shownSurface->mesh(), *hoveredTexel, perPixel);
+    return heldTexelLines(seen(), *hoveredTexel, perPixel);
 }
 
 } // namespace trixel::ui

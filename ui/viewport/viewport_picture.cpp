@@ -19,12 +19,8 @@ namespace {
 
 constexpr glm::vec4 kEdgeColor{1.0F, 0.85F, 0.2F, 1.0F};
 constexpr float kEdgeWidth = 3.0F;
-
-glm::vec3 cornerOfEdge(const TriangleMesh& mesh, SurfaceEdge edge, double t)
-{
-    const glm::vec2 uv(fromEdge(edge.edge, {t, 0}));
-    return pointAt(mesh.corners(edge.face), uv.x, uv.y);
-}
+/// That the edge is drawn in on a limit surface.
+constexpr int kCurvePieces = 16;
 
 glm::dvec3 unitNormal(const TriangleMesh& mesh, FaceId face)
 {
@@ -216,8 +212,13 @@ std::optional<render::Polyline> Viewport::Private::edgeMark() const
         return std::nullopt;
     }
     render::Polyline line;
-    line.points = {cornerOfEdge(shownSurface->mesh(), *markedEdge, 0),
-                   cornerOfEdge(shownSurface->mesh(), *markedEdge, 1)};
+    const SeenSurface surface = seen();
+    const int pieces = surface.isLimit() ? kCurvePieces : 1;
+    for (int p = 0; p <= pieces; ++p) {
+        const double t = static_cast<double>(p) / pieces;
+        line.points.push_back(
+            surface.position(markedEdge->face, glm::vec2(fromEdge(markedEdge->edge, {t, 0}))));
+    }
     line.color = kEdgeColor;
     line.width = kEdgeWidth;
     line.hiddenOpacity = 0.35F;

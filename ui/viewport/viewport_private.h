@@ -14,7 +14,9 @@
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
+#include "ui/viewport/limit_view.h"
 #include "ui/viewport/navigation.h"
+#include "ui/viewport/seen_surface.h"
 #include "ui/viewport/selection_lines.h"
 #include "ui/viewport/split_bar.h"
 #include "ui/viewport/stroke_input.h"
@@ -112,6 +114,15 @@ public:
     bool inspectKey(const QKeyEvent& event);
     std::vector<render::Polyline> heldMark() const;
 
+    // viewport_limit.cpp: the limit surface
+    void watchLimit();
+    bool showsLimit() const;
+    SeenSurface seen() const;
+    void takeLimit();
+    void sendLimit();
+    void sendLimit(std::size_t bytes);
+    void settleLimit();
+
     // viewport_split.cpp: two sides
     void takeComparison();
     const TexelStore& otherSideTexels() const;
@@ -169,6 +180,9 @@ public:
     std::optional<SurfaceEdge> markedEdge;
     /// In the place of those of the hovered pixel.
     std::optional<std::vector<render::Polyline>> givenFootprints;
+
+    LimitView limitView;
+    bool limitDirty = false; ///< another tessellation is to be sent
 
     FaceSelection* selection = nullptr;
     std::vector<render::Polyline> selectionLines;

@@ -49,6 +49,7 @@ void Viewport::Private::takeSurface()
         normalsWatcher.setFuture(QtConcurrent::run(
             [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
     }
+    limitView.setSurface(shownSurface);
     showOverlays();
     q.frameAll();
 }
@@ -111,6 +112,7 @@ void Viewport::Private::takeView()
         const QScopedValueRollback itself(pointsItself, true);
         inspection->setLevelsDropped(shownView.mipDrop);
     }
+    takeLimit();
     showOverlays();
     refreshHover();
     redraw();
@@ -162,6 +164,7 @@ void Viewport::Private::draw()
     clock.start();
     fitCamera(); // the window may have come to a screen of another density
     sendMesh();
+    sendLimit();
     drawPreview();
     sendTexels(kUploadMs);
     previewDrawn();
@@ -203,6 +206,7 @@ void Viewport::Private::sendMesh()
     otherSideDirty = true;
     streaming.forget();
     faceColorsDirty = !faceColors.empty();
+    limitDirty = true;
     if (!shownSurface) {
         renderer->clear();
         return;
@@ -287,6 +291,7 @@ render::Scene Viewport::Private::scene() const
     render::Scene result;
     result.camera = camera;
     result.surface.lit = shownView.lit;
+    result.surface.limit = showsLimit();
     result.surface.wireframe = shownView.wireframe;
     result.surface.texelGrid = shownView.texelGrid;
     if (!faceColors.empty()) { // colours that mean numbers must be seen as they are

@@ -33,16 +33,18 @@ void Viewport::Private::takeSelection()
 {
     const std::shared_ptr<const Surface>& surface = document.surface();
     const std::span<const FaceId> faces = selection->faces();
+    const std::shared_ptr<const LimitMesh> limit = showsLimit() ? limitView.mesh() : nullptr;
     const bool isBusy = outlineWatcher.isRunning();
     outlineIsStale = isBusy;
     if (!surface || faces.size() <= kFacesAtOnce) {
-        selectionLines =
-            surface ? selectionOutline(*surface, faces) : std::vector<render::Polyline>();
+        selectionLines = surface ? selectionOutline(*surface, faces, limit.get())
+                                 : std::vector<render::Polyline>();
         redraw();
     } else if (!isBusy) {
-        outlineWatcher.setFuture(QtConcurrent::run([surface, chosen = selection->snapshot()] {
-            return selectionOutline(*surface, *chosen);
-        }));
+        outlineWatcher.setFuture(
+            QtConcurrent::run([surface, limit, chosen = selection->snapshot()] {
+                return selectionOutline(*surface, *chosen, limit.get());
+            }));
     }
 }
 

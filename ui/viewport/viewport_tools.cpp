@@ -141,7 +141,11 @@ void Viewport::Private::beginStroke(const PointerEvent& event)
     Brush brush = settings.brush();
     const bool erases = event.eraserEnd || settings.tool() == Tool::Eraser;
     brush.blend = erases ? BlendMode::Erase : BlendMode::Normal;
-    stroke.begin(brush, event.sample.time, paceAt(brush, event.sample.position));
+    if (showsLimit()) {
+        stroke.begin(brush, event.sample.time, StrokePace::AtOnce, limitView.solid());
+    } else {
+        stroke.begin(brush, event.sample.time, paceAt(brush, event.sample.position));
+    }
     interaction = stroke.isActive() ? Interaction::Stroke : Interaction::None;
     addToStroke(event.sample);
 }

@@ -17,6 +17,13 @@
 
 namespace trixel::ui {
 
+namespace {
+
+/// To choose from, pixels.
+constexpr double kLimitErrors[] = {0.25, 0.5, 1, 2, 4};
+
+} // namespace
+
 ViewActions::ViewActions(const Document& document,
                          ViewSettings& settings,
                          Viewport& viewport,
@@ -25,6 +32,7 @@ ViewActions::ViewActions(const Document& document,
     , m_document(document)
     , m_settings(settings)
     , m_window(window)
+    , m_viewport(viewport)
 {
     ActionMaker make(window);
     m_frame = make(tr("&Frame"), tr("Look at the faces under the pointer"), {Qt::Key_F}, "frame");
@@ -59,6 +67,7 @@ ViewActions::ViewActions(const Document& document,
               QKeySequence(Qt::CTRL | Qt::Key_U),
               {},
               &ViewOptions::hud);
+    makeLimit(viewport);
     makeMips();
     makePaintOnCard();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
@@ -82,6 +91,50 @@ QAction* ViewActions::addSwitch(const QString& text,
         m_settings.setView(view);
     });
     return action;
+}
+
+void ViewActions::makeLimit(const Viewport& viewport)
+{
+    m_limit = addSwitch(tr("Limit &Surface"), {}, {Qt::Key_L}, {}, &ViewOptions::limitSurface);
+    auto* errors = new QActionGroup(this);
+    for (const double error : kLimitErrors) {
+        QAction* action = ActionMaker(m_window).toggle(
+            tr("Limit Surface within %1 Pixels").arg(error),
+            tr("Cut the limit surface into as few triangles as keep it within %1 pixels")
+                .arg(error));
+        errors->addAction(action);
+        m_limitErrors.emplace_back(action, error);
+        connect(action, &QAction::triggered, this, [this, error] {
+            ViewOptions view = m_settings.view();
+            view.limitError = error;
+            m_settings.setView(view);
+        });
+    }
+    connect(&viewport, &Viewport::limitSurfaceRefusalChanged, this, [this] {
+        if (!m_viewport.limitSurfaceRefusal().isEmpty()) {
+            ViewOptions view = m_settings.view();
+            view.limitSurface = false;
+            m_settings.setView(view);
+        }
+        follow();
+    });
+}
+
+void ViewActions::followLimit()
+{
+    const QString refusal = m_viewport.limitSurfaceRefusal();
+    const QString what =
+        refusal.isEmpty()
+            ? tr("Show the smooth surface that the mesh is the cage of, and paint on it")
+            : tr("Not for this mesh: %1").arg(refusal);
+    m_limit->setToolTip(QStringLiteral("%1 (%2)").arg(
+        what, m_limit->shortcut().toString(QKeySequence::NativeText)));
+    m_limit->setStatusTip(what);
+    m_limit->setEnabled(refusal.isEmpty());
+    for (const auto& [action, error] : m_limitErrors) {
+        action->setChecked(m_settings.view().limitError == error);
+        action->setEnabled(refusal.isEmpty());
+    }
 }
 
 void ViewActions::makeMips()
@@ -155,6 +208,7 @@ void ViewActions::follow()
         action->setChecked(m_settings.view().*option);
     }
     m_paintOnCard[static_cast<std::size_t>(m_settings.view().paintOnCard)]->setChecked(true);
+    followLimit();
     const int drop = m_settings.view().mipDrop;
     m_mips->setCurrentIndex(drop);
     m_mips->setEnabled(m_document.isOpen());
@@ -171,6 +225,10 @@ void ViewActions::fillMenu(QMenu& menu)
     menu.addSeparator();
     for (const auto& [action, option] : m_switches) {
         menu.addAction(action);
+    }
+    QMenu* errors = menu.addMenu(tr("Limit Surface &Error"));
+    for (const auto& [action, error] : m_limitErrors) {
+        errors->addAction(action);
     }
     menu.addSeparator();
     menu.addAction(m_coarser);

@@ -40,6 +40,8 @@ private:
                        const QKeySequence& shortcut,
                        const QString& iconName,
                        bool ViewOptions::*option);
+    void followLimit();
+    void makeLimit(const Viewport& viewport);
     void makeMips();
     void makePaintOnCard();
     void setMipDrop(int drop);
@@ -51,6 +53,9 @@ private:
     ViewSettings& m_settings;
     QWidget& m_window;
     std::vector<std::pair<QAction*, bool ViewOptions::*>> m_switches;
+    QAction* m_limit = nullptr;
+    std::vector<std::pair<QAction*, double>> m_limitErrors; ///< pixels
+    const Viewport& m_viewport;
     QAction* m_frame = nullptr;
     QAction* m_frameAll = nullptr;
     QAction* m_coarser = nullptr;

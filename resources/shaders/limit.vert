@@ -1,0 +1,62 @@
+#version 410 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Corners of a tessellated limit surface, `LimitVertex` in core/mesh/limit_tessellation.h: what
+// surface.vert gives on for the corners of whole faces.
+layout(location = 0) in vec3 position;
+layout(location = 1) in uint normal; // octahedral
+layout(location = 2) in vec2 faceUv;
+layout(location = 3) in uint ofFace;
+
+uniform usamplerBuffer records; // a face: first texel, level and flags
+uniform mat4 view;
+uniform mat4 projection;
+
+out vec2 uv;
+out vec3 viewPosition;
+out vec3 viewNormal;
+flat out uvec2 record;
+flat out int faceNumber;
+#if FILTERING >= 3
+uniform usamplerBuffer triangles; // three mesh vertices a face
+uniform usamplerBuffer scales;    // a mesh vertex: `VertexScale` in render/filter_mesh.h
+out vec2 log2Scale;
+out vec3 meanNormal;
+out float flatness;
+#endif
+
+vec3 unpackNormal(uint bits)
+{
+    vec2 p = (vec2(bits & 0xffffu, bits >> 16) - 32768.0) / 32767.0;
+    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+    float fold = max(-n.z, 0.0);
+    n.x += n.x < 0.0 ? fold : -fold;
+    n.y += n.y < 0.0 ? fold : -fold;
+    return normalize(n);
+}
+
+void main()
+{
+    vec4 seen = view * vec4(position, 1.0);
+    int face = int(ofFace);
+    faceNumber = face;
+    uv = faceUv;
+    record = texelFetch(records, face).xy;
+    viewPosition = seen.xyz;
+    viewNormal = mat3(view) * unpackNormal(normal);
+#if FILTERING >= 3
+    // What whole faces have at their corners, as it is between these.
+    uvec3 corners = texelFetch(triangles, face).xyz;
+    vec3 weights = vec3(1.0 - uv.x - uv.y, uv);
+    log2Scale = vec2(0.0);
+    meanNormal = vec3(0.0);
+    flatness = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        uvec4 scale = texelFetch(scales, int(corners[k]));
+        log2Scale += weights[k] * uintBitsToFloat(scale.xy);
+        meanNormal += weights[k] * (mat3(view) * unpackNormal(scale.z));
+        flatness += weights[k] * uintBitsToFloat(scale.w);
+    }
+#endif
+    gl_Position = projection * seen;
+}
