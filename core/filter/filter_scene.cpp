@@ -2,9 +2,39 @@
 #include "core/filter/filter_scene.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <unistd.h>
 #include <utility>
 
 namespace trixel {
+
+namespace {
+
+std::uint64_t machineBytes()
+{
+    return static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PHYS_PAGES))) *
+           static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
+}
+
+// A file that is read face by face can hold more texels than fit into memory as floats.
+Status checkRoom(const TexelStore& store)
+{
+    const TexelFormat& format = store.format();
+    const auto groups =
+        static_cast<std::uint64_t>((format.channels + kGroupChannels - 1) / kGroupChannels);
+    // Four thirds of a texel and about as much again of vertices.
+    const std::uint64_t bytes =
+        store.storedBytes() / format.texelBytes() * groups * sizeof(float) * kGroupChannels * 8 / 3;
+    if (bytes > machineBytes() / 2) {
+        return contentsError("the filters would need " + std::to_string(bytes >> 20U) +
+                             " MiB of memory for all these texels, more than half of the " +
+                             std::to_string(machineBytes() >> 20U) + " MiB there are");
+    }
+    return {};
+}
+
+} // namespace
 
 Result<FilterScene> FilterScene::build(std::shared_ptr<const FilterSurface> surface,
                                        const TexelStore& store,
@@ -12,6 +42,9 @@ Result<FilterScene> FilterScene::build(std::shared_ptr<const FilterSurface> surf
                                        Progress& progress)
 {
     check(surface->faceCount() == store.faceCount(), "texels of this surface");
+    if (Status status = checkRoom(store); !status) {
+        return tl::unexpected(status.error());
+    }
     FilterScene scene;
     scene.m_surface = std::move(surface);
     StageProgress mipProgress(progress, 0.0, 0.5);

@@ -20,7 +20,8 @@ namespace trixel {
 class FilterScene
 {
 public:
-    /// \param store  as many faces as the surface (checked). Fails only when cancelled.
+    /// \param store  as many faces as the surface (checked). Fails when cancelled, and before any
+    ///               work when the scene would take more than half of the machine's memory.
     static Result<FilterScene> build(std::shared_ptr<const FilterSurface> surface,
                                      const TexelStore& store,
                                      Threads threads,

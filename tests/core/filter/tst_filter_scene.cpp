@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/texture/stored_faces.h"
 #include "tests/core/filter/filter_scenes.h"
 #include "tests/core/filter/test_scenes.h"
 
@@ -88,6 +89,39 @@ TEST(Stochastic, spreadsNoWiderThanTheFootprint)
     }
     // The floor is a quarter of a squared texel; a texel's own spread is a twenty-fourth.
     EXPECT_NEAR(surplus, 0, 0.25 * 1 / 24);
+}
+
+/// Faces that nobody may read.
+class Unread final : public FaceReader
+{
+public:
+    Result<bool>
+    read(FaceId /*face*/, Level /*level*/, std::span<std::byte> /*texels*/) const override
+    {
+        ADD_FAILURE() << "was read";
+        return false;
+    }
+    bool stores(FaceId /*face*/, Level /*level*/) const override { return false; }
+    std::span<const std::byte> mean(FaceId /*face*/) const override { return {}; }
+};
+
+TEST(FilterScene, thatWouldNotFitIntoMemoryIsRefusedBeforeAnythingIsRead)
+{
+    const TriangleMesh mesh = sphereMesh(3);
+    const TexelFormat format{TexelType::Float, 4, {}};
+    const auto faces = StoredFaces::make(format, std::make_unique<Unread>());
+    TexelStore store(static_cast<std::uint32_t>(mesh.faceCount()),
+                     format,
+                     Level(),
+                     std::vector<std::byte>(format.texelBytes()));
+    for (std::uint32_t f = 0; f < mesh.faceCount(); ++f) {
+        store.exchange(faceId(f), faces->face(faceId(f), Level(12)));
+    }
+    NoProgress progress;
+    const auto scene = FilterScene::build(
+        std::make_shared<const FilterSurface>(surfaceOf(mesh)), store, Threads{1}, progress);
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().message.find("MiB of memory"), std::string::npos);
 }
 
 } // namespace
