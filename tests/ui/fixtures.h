@@ -3,6 +3,7 @@
 // What several tests of the window build on.
 #pragma once
 
+#include <QCoreApplication>
 #include <QSettings>
 #include <QTemporaryDir>
 
