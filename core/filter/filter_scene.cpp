@@ -17,15 +17,20 @@ std::uint64_t machineBytes()
            static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
 }
 
-// A file that is read face by face can hold more texels than fit into memory as floats.
+/// What is in memory already fits as floats, or nearly; but a file that is read face by face can
+/// hold far more texels.
 Status checkRoom(const TexelStore& store)
 {
     const TexelFormat& format = store.format();
+    std::uint64_t texels = 0;
+    for (std::uint32_t f = 0; f < store.faceCount(); ++f) {
+        const FaceTexels& face = store.face(faceId(f));
+        texels += face.isStored() ? face.level().texelCount() : 0;
+    }
     const auto groups =
         static_cast<std::uint64_t>((format.channels + kGroupChannels - 1) / kGroupChannels);
     // Four thirds of a texel and about as much again of vertices.
-    const std::uint64_t bytes =
-        store.storedBytes() / format.texelBytes() * groups * sizeof(float) * kGroupChannels * 8 / 3;
+    const std::uint64_t bytes = texels * groups * sizeof(float) * kGroupChannels * 8 / 3;
     if (bytes > machineBytes() / 2) {
         return contentsError("the filters would need " + std::to_string(bytes >> 20U) +
                              " MiB of memory for all these texels, more than half of the " +

@@ -21,7 +21,8 @@ class FilterScene
 {
 public:
     /// \param store  as many faces as the surface (checked). Fails when cancelled, and before any
-    ///               work when the scene would take more than half of the machine's memory.
+    ///               work when texels that still lie in a file would take more than half of the
+    ///               machine's memory.
     static Result<FilterScene> build(std::shared_ptr<const FilterSurface> surface,
                                      const TexelStore& store,
                                      Threads threads,

@@ -12,6 +12,7 @@
 #include "ui/viewport/surface_lines.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
+#include "ui/window/mnemonics.h"
 
 #include <algorithm>
 
@@ -62,7 +63,7 @@ ViewActions::ViewActions(const Document& document,
         {Qt::Key_O},
         "footprint",
         &ViewOptions::footprint);
-    addSwitch(tr("Frame Fi&gures"),
+    addSwitch(tr("Frame Figu&res"),
               tr("Show what each frame took and drew, and what lies on the graphics card"),
               QKeySequence(Qt::CTRL | Qt::Key_U),
               {},
@@ -97,9 +98,11 @@ void ViewActions::makeLimit(const Viewport& viewport)
 {
     m_limit = addSwitch(tr("Limit &Surface"), {}, {Qt::Key_L}, {}, &ViewOptions::limitSurface);
     auto* errors = new QActionGroup(this);
+    Mnemonics taken;
+    const QString text = tr("Limit Surface within %1 Pixels");
     for (const double error : kLimitErrors) {
         QAction* action = ActionMaker(m_window).toggle(
-            tr("Limit Surface within %1 Pixels").arg(error),
+            withMnemonic(text.arg(error), taken, text.indexOf('%')),
             tr("Cut the limit surface into as few triangles as keep it within %1 pixels")
                 .arg(error));
         errors->addAction(action);
