@@ -27,7 +27,7 @@ std::uint64_t roomFor(std::uint64_t vertices, std::uint64_t most)
 
 std::uint32_t blockSize(const FaceRecord& record)
 {
-    return record.isConstant() ? 1 : vertexBlockSize(Level(record.level()));
+    return vertexBlockSize(Level(record.level()));
 }
 
 void addRange(std::vector<DisplayUpdate::Range>& ranges, std::uint32_t first, std::uint32_t count)
@@ -56,7 +56,7 @@ void DisplayVertices::reset(std::shared_ptr<const FilterMesh> mesh,
 
 std::uint32_t DisplayVertices::sizeOf(const TexelStore& store, FaceId face, bool isConstant) const
 {
-    return isConstant ? 1 : vertexBlockSize(store.face(face).level().coarser(m_drop));
+    return vertexBlockSize(isConstant ? Level(0) : store.face(face).level().coarser(m_drop));
 }
 
 void DisplayVertices::layOut(const TexelStore& store)
@@ -99,7 +99,8 @@ bool DisplayVertices::place(const TexelStore& store, FaceId face, bool isConstan
     const int level = store.face(face).level().coarser(m_drop).log2();
     FaceRecord& record = m_records[indexOf(face)];
     m_levels[indexOf(face)] = store.face(face).level();
-    if (!record.isPending() && record.level() == level && (!record.isConstant() || isConstant)) {
+    const int kept = isConstant && record.isConstant() ? 0 : level;
+    if (!record.isPending() && record.level() == kept && (!record.isConstant() || isConstant)) {
         return true;
     }
     const std::uint64_t end = std::uint64_t{m_used} + sizeOf(store, face, isConstant);
@@ -205,7 +206,7 @@ void DisplayVertices::emitTouched(const TexelStore& store, DisplayUpdate& update
         const FaceRecord& record = m_records[indexOf(run.face)];
         const bool comes = m_whole.contains(static_cast<std::uint32_t>(run.face)) ||
                            indexOf(run.face) >= m_nextFace;
-        if (!comes && !record.isConstant()) {
+        if (!comes && !record.isConstant()) { // what is one constant is not touched
             addRange(update.texels, record.offset + run.first, run.count);
             vertices.appendRun(run, update.bytes);
         }
@@ -282,11 +283,7 @@ void DisplayVertices::append(const FaceVertices& vertices,
                              std::vector<std::byte>& bytes) const
 {
     const FaceRecord& record = m_records[indexOf(face)];
-    if (record.isConstant()) {
-        vertices.appendConstant(face, bytes);
-    } else {
-        vertices.appendBlock(face, Level(record.level()), bytes);
-    }
+    vertices.appendBlock(face, Level(record.level()), bytes);
 }
 
 /// Places a face and adds its vertices. \return  false when there is no room for it

@@ -21,8 +21,8 @@
 namespace trixel::render {
 
 /// Layout of the conforming pyramid of a store on the graphics card: for every face the vertices of
-/// all its levels (`core/texture/vertex_block.h`), one where the face and all about it are one
-/// constant. What is sent is made when it is sent, from the store. Works as `DisplayTexels`.
+/// all its levels (`core/texture/vertex_block.h`), those of level 0 where the face and all about it
+/// are one constant. What is sent is made when it is sent, from the store. Works as `DisplayTexels`.
 class DisplayVertices
 {
 public:

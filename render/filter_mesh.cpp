@@ -2,14 +2,28 @@
 #include "render/filter_mesh.h"
 
 #include "core/base/check.h"
-#include "render/corner_normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
 namespace trixel::render {
+
+namespace {
+
+/// Length of the mean normal of faces that have nothing in common any more, and of those that do.
+constexpr double kBent = 0.55;
+constexpr double kFlat = 0.9;
+
+/// [-1, 1] as the shader unpacks it.
+std::uint16_t packed(double value)
+{
+    return static_cast<std::uint16_t>(std::lround((0.5 * value + 0.5) * 65535));
+}
+
+} // namespace
 
 FilterMesh::FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const TexelStore& store)
     : m_adjacency(std::move(adjacency))
@@ -74,8 +88,11 @@ void FilterMesh::measure(const TriangleMesh& mesh, const TexelStore& store)
             static_cast<float>(log2Length - (sum.faces > 0 ? sum.levels / sum.faces : 0));
         const double length = glm::length(sum.normal);
         const bool isTurned = length > std::numeric_limits<float>::min() && sum.area > 0;
-        scale.normal = packNormal(isTurned ? glm::vec3(sum.normal / length) : glm::vec3(0, 0, 1));
-        scale.flatness = isTurned ? static_cast<float>(length / sum.area) : 0.0F;
+        const glm::dvec3 normal = isTurned ? sum.normal / length : glm::dvec3(0, 0, 1);
+        const double flatness = isTurned ? length / sum.area : 0;
+        const double x = std::clamp((flatness - kBent) / (kFlat - kBent), 0.0, 1.0);
+        scale.normal = {
+            packed(normal.x), packed(normal.y), packed(normal.z), packed(x * x * (3 - 2 * x))};
     }
 }
 

@@ -18,8 +18,9 @@ struct VertexScale
 {
     float log2Length = 0; ///< mean log2 of the lengths of the edges that meet there, world units
     float log2Texel = 0;  ///< the same of a texel's edge: less the mean level of the faces there
-    std::uint32_t normal = 0; ///< octahedral, of the mean of the faces' normals by their areas
-    float flatness = 1;       ///< length of that mean: 1 where all faces lie in one plane
+    /// The mean of the faces' normals by their areas, a unit vector, and how far the faces lie in
+    /// one plane: 1 where they do, 0 where no one tilt fits them. From -1 to 1 in 16 bits each.
+    std::array<std::uint16_t, 4> normal{};
 };
 static_assert(sizeof(VertexScale) == 16);
 

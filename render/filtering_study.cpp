@@ -155,17 +155,23 @@ PictureDifference differenceOf(const DrawnPicture& drawn, const ExactPicture& ex
 {
     PictureDifference difference;
     double squares = 0;
+    std::vector<double> offs;
+    offs.reserve(3 * exact.queries.size());
     for (std::size_t q = 0; q < exact.queries.size(); ++q) {
         const float* seen = drawn.pixel(exact.queries.pixel[q]);
         for (std::size_t c = 0; c < 3; ++c) {
             const double off = std::abs(double{seen[c]} - double{exact.colors[3 * q + c]});
             squares += off * off;
+            offs.push_back(off);
             difference.worst = std::max(difference.worst, off);
         }
     }
     difference.pixels = exact.queries.size();
     if (difference.pixels > 0) {
         difference.rms = std::sqrt(squares / (3.0 * static_cast<double>(difference.pixels)));
+        const auto at = offs.begin() + static_cast<std::ptrdiff_t>(offs.size() * 99 / 100);
+        std::ranges::nth_element(offs, at);
+        difference.p99 = *at;
     }
     return difference;
 }

@@ -67,6 +67,7 @@ Result<ExactPicture> exactPicture(const Surface& surface,
 struct PictureDifference
 {
     double rms = 0;
+    double p99 = 0; ///< 99th percentile of |error|
     double worst = 0;
     std::size_t pixels = 0;
 };

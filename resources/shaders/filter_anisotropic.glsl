@@ -87,14 +87,21 @@ vec4 probe(vec2 offset, vec3 c0, vec3 c1, vec3 c2, float level)
 
 vec4 filteredTexel()
 {
-    Footprint footprint = pixelFootprint();
-    float major2 = footprint.majorSigma * footprint.majorSigma;
-    float own2 = max(footprint.minorSigma * footprint.minorSigma, probeThinnest * major2);
-    float level = levelFor(own2, footprint.texel);
+    vec3 moves = steps();
+    float pixel2 = pixelVariance();
+    float texel2 = exp2(2.0 * log2Scale.y);
+    float mean = 0.5 * (moves.x + moves.y);
+    float slant = 0.5 * (moves.x - moves.y);
+    float radius = sqrt(slant * slant + moves.z * moves.z);
+    float longest = mean + radius;
+    float shortest = max(moves.x * moves.y - moves.z * moves.z, 0.0) / longest;
+    float major2 = pixel2 * longest + 0.25 * texel2;
+    float own2 = max(pixel2 * shortest + 0.25 * texel2, probeThinnest * major2);
+    float level = levelFor(own2, texel2);
     float own = sqrt(own2);
     float support = probeSupport * sqrt(max(major2 - own2, 0.0));
     // Thin footprints bear wider steps: of many probes each matters less.
-    float wanted = probeSpacing * own * pow(footprint.majorSigma / own, 0.3);
+    float wanted = probeSpacing * own * pow(major2 / own2, 0.15);
     float least = support / (float(probesAside) + 0.5);
     float most = 2.0 * support / probeSupport; // two probes then have the right variance
     float stride = max(min(wanted, most), least);
@@ -106,7 +113,9 @@ vec4 filteredTexel()
     vec3 c0 = fromPixel(triangle.x);
     vec3 c1 = fromPixel(triangle.y);
     vec3 c2 = fromPixel(triangle.z);
-    vec2 direction = footprint.majorDirection / footprint.perPixel;
+    // The major axis on the screen, in pixels for a unit of length along it.
+    vec2 axis = slant >= 0.0 ? vec2(slant + radius, moves.z) : vec2(moves.z, radius - slant);
+    vec2 direction = axis / max(length(axis), 1e-20) / (2.0 * sqrt(pixel2 * longest));
     float end = exp(-probeFalloff);
     vec4 sum = vec4(0.0);
     float weights = 0.0;

@@ -32,8 +32,7 @@ flat in int faceNumber;
 #if FILTERING >= 3
 uniform float unitsPerPixel; // world length of a device pixel at distance 1
 in vec2 log2Scale; // of the length of edges, and of texels, about here
-in vec3 meanNormal;
-in float flatness;
+in vec2 tilt;
 #endif
 out vec4 color;
 

@@ -18,8 +18,7 @@ flat out int faceNumber;
 #if FILTERING >= 3
 uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_mesh.h
 out vec2 log2Scale;
-out vec3 meanNormal;
-out float flatness;
+out vec2 tilt;
 #endif
 
 vec3 unpackNormal(uint bits)
@@ -50,8 +49,15 @@ void main()
 #if FILTERING >= 3
     uvec4 scale = texelFetch(scales, int(vertex));
     log2Scale = uintBitsToFloat(scale.xy);
-    meanNormal = mat3(view) * unpackNormal(scale.z);
-    flatness = uintBitsToFloat(scale.w);
+    // How the surface falls away to the right and upwards: the normal over its part along the ray
+    // to the point. On a plane that is linear, so that what is interpolated is right even where a
+    // corner lies behind the eye.
+    vec4 normal = vec4(unpackUnorm2x16(scale.z), unpackUnorm2x16(scale.w)) * 2.0 - 1.0;
+    vec3 turned = mat3(view) * normal.xyz;
+    float along = dot(turned, position.xyz);
+    float least = 0.04 * length(position.xyz) + 1e-20;
+    along = along < 0.0 ? min(along, -least) : max(along, least);
+    tilt = turned.xy * (-position.z * normal.w / along);
 #endif
     gl_Position = projection * position;
 }

@@ -152,6 +152,7 @@ std::vector<StudyOffer> studyOffers()
     subdivision.run = runSubdivision;
     return {
         filters,
+        filteringOffer(),
         withoutProject(
             makeOffer("Paint projection",
                       "Paint projection: offset or none",

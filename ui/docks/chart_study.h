@@ -35,7 +35,10 @@ struct StudyOffer
     std::function<Result<Study>(const StudyInput& input, StudyWatcher& watcher)> run;
 };
 
-/// The studies of the program.
+/// The view's ways of filtering on the graphics card. On the window's thread.
+StudyOffer filteringOffer();
+
+/// The studies of the program. On the window's thread.
 std::vector<StudyOffer> studyOffers();
 
 } // namespace trixel::ui

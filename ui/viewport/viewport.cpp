@@ -101,6 +101,9 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
     connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
+    connect(
+        &d->filterWatcher, &QFutureWatcherBase::finished, this, [this] { d->filterMeshReady(); });
+    connect(&document, &Document::levelsChanged, this, [this] { d->forgetFilterMesh(); });
     d->watchInspection();
     d->watchLimit();
     d->makeCanvas();
@@ -114,6 +117,7 @@ Viewport::~Viewport()
 {
     d->normalsWatcher.disconnect(this);
     d->limitView.disconnect(this);
+    d->filterWatcher.disconnect(this);
     d->outlineWatcher.disconnect(this);
     delete d->canvas; // while what it draws with is still there
 }
@@ -250,6 +254,7 @@ void Viewport::settle()
         d->finishTexels();
         d->previewDrawn();
     }
+    d->finishFilters();
     d->canvas->doneCurrent();
     d->redraw();
 }

@@ -131,6 +131,15 @@ public:
     /// Whether B has texels of its own.
     bool hasOtherTexels() const;
 
+    // viewport_filtering.cpp: what ways of filtering need
+    std::vector<render::Filtering> filteringsShown() const;
+    void forgetFilterMesh();
+    void makeFilterMesh();
+    void filterMeshReady();
+    void sendFilters(double milliseconds);
+    void finishFilters();
+    bool sendFilters(const TexelStore& store, render::Side side, double milliseconds);
+
     // viewport_selection.cpp: the chosen faces
     void takeSelection();
     void outlineReady();
@@ -164,10 +173,16 @@ public:
     ViewOptions shownView;
     QFutureWatcher<std::vector<std::uint32_t>> normalsWatcher;
     std::vector<std::uint32_t> normals; ///< empty until they are made
-    QLabel* message = nullptr;          ///< in the view's place when it cannot draw
-    FootprintLegend* legend = nullptr;  ///< none where there is no OpenGL
-    FrameHud* hud = nullptr;            ///< likewise
-    GoToBar* goTo = nullptr;            ///< none before it was asked for
+    QFutureWatcher<std::shared_ptr<const render::FilterMesh>> filterWatcher;
+    std::shared_ptr<const render::FilterMesh>
+        filterMesh;                    ///< none until a way of filtering needs it
+    bool filterMeshDirty = true;       ///< the renderer has another
+    int filterMeshNumber = 0;          ///< of the surface and levels shown
+    int filterMeshMade = -1;           ///< the number when its making began
+    QLabel* message = nullptr;         ///< in the view's place when it cannot draw
+    FootprintLegend* legend = nullptr; ///< none where there is no OpenGL
+    FrameHud* hud = nullptr;           ///< likewise
+    GoToBar* goTo = nullptr;           ///< none before it was asked for
 
     std::array<PictureOver, 2> pictures; ///< by side
     SplitBar* splitBar = nullptr;

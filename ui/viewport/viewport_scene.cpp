@@ -32,6 +32,7 @@ void Viewport::Private::takeSurface()
     meshDirty = true;
     texelsDirty = true;
     normals.clear();
+    forgetFilterMesh();
     shownSurface = document.surface();
     streaming.setSurface(shownSurface);
     setOtherTexels(std::nullopt);
@@ -168,6 +169,7 @@ void Viewport::Private::draw()
     drawPreview();
     sendTexels(kUploadMs);
     previewDrawn();
+    sendFilters(kUploadMs);
     sendPicture(render::Side::A);
     sendPicture(render::Side::B);
     sendFaceColors();
@@ -205,6 +207,7 @@ void Viewport::Private::sendMesh()
     texelsDirty = true;
     otherSideDirty = true;
     streaming.forget();
+    filterMeshDirty = true;
     faceColorsDirty = !faceColors.empty();
     limitDirty = true;
     if (!shownSurface) {
@@ -294,6 +297,7 @@ render::Scene Viewport::Private::scene() const
     result.surface.limit = showsLimit();
     result.surface.wireframe = shownView.wireframe;
     result.surface.texelGrid = shownView.texelGrid;
+    result.surface.filtering = shownView.filtering;
     if (!faceColors.empty()) { // colours that mean numbers must be seen as they are
         result.surface.faceColors = true;
         result.surface.lit = false;

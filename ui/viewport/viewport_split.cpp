@@ -62,6 +62,9 @@ std::optional<render::Split> Viewport::Private::split() const
     split.column = static_cast<int>(comparison.split * camera.viewport().x);
     split.ownTexels = hasOtherTexels();
     split.ownPicture = true;
+    if (comparison.by == ComparedBy::Filtering) {
+        split.otherFiltering = comparison.filtering;
+    }
     return split;
 }
 

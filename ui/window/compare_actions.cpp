@@ -9,6 +9,7 @@
 #include "ui/viewport/split_bar.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
+#include "ui/window/filtering_actions.h"
 #include "ui/window/map_actions.h"
 #include "ui/window/mnemonics.h"
 
@@ -19,11 +20,13 @@ namespace trixel::ui {
 
 CompareActions::CompareActions(ViewSettings& settings,
                                MapActions& maps,
+                               FilteringActions& filterings,
                                Viewport& viewport,
                                QWidget& window)
     : QObject(&window)
     , m_settings(settings)
     , m_maps(maps)
+    , m_filterings(filterings)
     , m_viewport(viewport)
     , m_methodMenu(new QMenu(tr("Filter Method of &B"), &window))
     , m_levelMenu(new QMenu(tr("Levels of B"), &window))
@@ -43,25 +46,28 @@ void CompareActions::makeWays(QWidget& window)
         ComparedBy by;
         QString text;
         QString toolTip;
-        int key;
+        QKeySequence keys;
     };
     const Way ways[] = {
         {ComparedBy::Method,
          tr("Two &Filters"),
          tr("Split the view: A filtered by the chosen method, B by another"),
-         Qt::Key_8},
+         Qt::CTRL | Qt::Key_8},
         {ComparedBy::Level,
          tr("Two &Levels"),
          tr("Split the view: A as it is, B some levels coarser"),
-         Qt::Key_9},
+         Qt::CTRL | Qt::Key_9},
         {ComparedBy::Before,
          tr("Before &and After"),
          tr("Split the view: A as the texels are, B as they were opened or remembered"),
-         Qt::Key_0},
+         Qt::CTRL | Qt::Key_0},
+        {ComparedBy::Filtering,
+         tr("Two Ways of &Drawing"),
+         tr("Split the view: A and B as the graphics card filters the same texels in two ways"),
+         Qt::CTRL | Qt::SHIFT | Qt::Key_8},
     };
     for (const Way& way : ways) {
-        QAction* action =
-            ActionMaker(window).toggle(way.text, way.toolTip, QKeySequence(Qt::CTRL | way.key));
+        QAction* action = ActionMaker(window).toggle(way.text, way.toolTip, way.keys);
         m_ways.emplace_back(action, way.by);
         connect(action, &QAction::triggered, this, [this, by = way.by](bool on) {
             compare(on ? by : ComparedBy::Nothing);
@@ -125,6 +131,7 @@ void CompareActions::fillMenu(QMenu& menu)
     compare->addAction(m_coarser);
     compare->addAction(m_finer);
     compare->addAction(m_remember);
+    compare->addMenu(m_filterings.otherMenu());
 }
 
 void CompareActions::compare(ComparedBy by)
@@ -142,6 +149,11 @@ void CompareActions::compare(ComparedBy by)
         }
     } else if (by != ComparedBy::Nothing || hadFilters) {
         view.map = ViewMapKind::None;
+    }
+    if (by == ComparedBy::Filtering && comparison.filtering == view.filtering) {
+        comparison.filtering = view.filtering == render::Filtering::Seamless
+                                   ? render::Filtering::Texels
+                                   : render::Filtering::Seamless;
     }
     m_settings.setComparison(comparison);
     m_settings.setView(view);
@@ -175,11 +187,21 @@ void CompareActions::follow()
     m_coarser->setEnabled(comparison.by == ComparedBy::Level);
     m_finer->setEnabled(comparison.by == ComparedBy::Level && comparison.levelsDropped > 1);
     m_remember->setEnabled(comparison.by == ComparedBy::Before);
-    const bool filters = comparison.by == ComparedBy::Method;
-    QMenu* right = filters                              ? m_methodMenu
-                   : comparison.by == ComparedBy::Level ? m_levelMenu
-                                                        : m_beforeMenu;
-    m_viewport.splitBar().setMenus(filters ? m_maps.methodMenu() : nullptr, right);
+    const auto menus = [&]() -> std::pair<QMenu*, QMenu*> {
+        switch (comparison.by) {
+        case ComparedBy::Method:
+            return {m_maps.methodMenu(), m_methodMenu};
+        case ComparedBy::Level:
+            return {nullptr, m_levelMenu};
+        case ComparedBy::Filtering:
+            return {m_filterings.ownMenu(), m_filterings.otherMenu()};
+        case ComparedBy::Before:
+        case ComparedBy::Nothing:
+            break;
+        }
+        return {nullptr, m_beforeMenu};
+    }();
+    m_viewport.splitBar().setMenus(menus.first, menus.second);
 }
 
 } // namespace trixel::ui

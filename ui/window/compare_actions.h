@@ -14,6 +14,7 @@ class QWidget;
 
 namespace trixel::ui {
 
+class FilteringActions;
 class MapActions;
 class Viewport;
 
@@ -25,7 +26,11 @@ class CompareActions : public QObject
 
 public:
     /// \param maps  has the menu of A's filter
-    CompareActions(ViewSettings& settings, MapActions& maps, Viewport& viewport, QWidget& window);
+    CompareActions(ViewSettings& settings,
+                   MapActions& maps,
+                   FilteringActions& filterings,
+                   Viewport& viewport,
+                   QWidget& window);
 
     void fillMenu(QMenu& menu);
 
@@ -44,6 +49,7 @@ private:
 
     ViewSettings& m_settings;
     MapActions& m_maps;
+    FilteringActions& m_filterings;
     Viewport& m_viewport;
     std::vector<std::pair<QAction*, ComparedBy>> m_ways;
     std::vector<std::pair<QAction*, std::string>> m_methods;

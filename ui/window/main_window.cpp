@@ -25,6 +25,7 @@
 #include "ui/window/compare_actions.h"
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
+#include "ui/window/filtering_actions.h"
 #include "ui/window/inspect_actions.h"
 #include "ui/window/inspector_panels.h"
 #include "ui/window/job_bar.h"
@@ -205,7 +206,10 @@ void MainWindow::makeMenus()
     m_panels->bookmarkActions().fillMenu(*view);
     view->addSeparator();
     m_mapActions->fillMenu(*view);
-    auto* compare = new CompareActions(m_settings, *m_mapActions, *m_viewport, *this);
+    auto* filterings = new FilteringActions(m_settings, *this);
+    filterings->fillMenu(*view);
+    auto* compare =
+        new CompareActions(m_settings, *m_mapActions, *filterings, *m_viewport, *this);
     connect(compare, &CompareActions::remembered, m_inspectors, &InspectorPanels::rememberBefore);
     compare->fillMenu(*view);
     m_lookActions->fillMenu(*view);

@@ -116,6 +116,30 @@ private slots:
         QCOMPARE(seen(texel), QColor(204, 204, 204));
     }
 
+    void eachSideIsDrawnInItsWay()
+    {
+        paintOneTexel();
+        const QPoint texel = placeOf(kPainted, {0.04F, 0.04F});
+        QCOMPARE(seen(texel), QColor(255, 0, 0));
+        press(Qt::Key_8, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(bar().leftText(), QString("A: Texels"));
+        QCOMPARE(bar().rightText(), QString("B: Seamless"));
+        m_window->viewport().settle();
+        moveLine(1.0);
+        QCOMPARE(seen(texel), QColor(255, 0, 0));
+        moveLine(0.0);
+        const QColor soft = seen(texel); // at its corners are means with its neighbours
+        QVERIFY(soft != QColor(255, 0, 0) && soft.red() > soft.green());
+        document().undoStack().undo();
+        QCOMPARE(seen(texel), QColor(204, 204, 204));
+        press(Qt::Key_8, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(!bar().isVisible());
+        press(Qt::Key_V, Qt::ShiftModifier);
+        QCOMPARE(m_window->settings().view().filtering, render::Filtering::Seamless);
+        press(Qt::Key_V, Qt::ShiftModifier);
+        QCOMPARE(m_window->settings().view().filtering, render::Filtering::Texels);
+    }
+
     void eachSideIsFilteredByItsMethod()
     {
         paintOneTexel();

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the card needs to filter texels in other ways than one by one.
+#include <QElapsedTimer>
+#include <QThread>
+#include <QTimer>
+#include <QtConcurrent>
+
+#include "render/filtering_study.h"
+#include "ui/viewport/viewport_private.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trixel::ui {
+
+namespace {
+
+constexpr std::size_t kSliceBytes = 512U << 10U;
+constexpr int kLookAgainMs = 15; ///< for what is being made in the background
+
+} // namespace
+
+/// The ways of filtering of A and B.
+std::vector<render::Filtering> Viewport::Private::filteringsShown() const
+{
+    std::vector<render::Filtering> shown{shownView.filtering};
+    if (comparison.by == ComparedBy::Filtering) {
+        shown.push_back(comparison.filtering);
+    }
+    return shown;
+}
+
+/// Levels or neighbours may be others: what was made for filtering is of no use.
+void Viewport::Private::forgetFilterMesh()
+{
+    filterMesh.reset();
+    filterMeshDirty = true;
+    ++filterMeshNumber;
+    redraw();
+}
+
+void Viewport::Private::makeFilterMesh()
+{
+    if (filterWatcher.isRunning()) {
+        return;
+    }
+    filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface, store = document.texels()] {
+        return std::make_shared<const render::FilterMesh>(
+            surface->mesh(), surface->adjacency(), store);
+    }));
+    filterMeshMade = filterMeshNumber;
+}
+
+void Viewport::Private::filterMeshReady()
+{
+    if (filterMeshMade == filterMeshNumber) {
+        filterMesh = filterWatcher.result();
+        filterMeshDirty = true;
+    }
+    redraw();
+}
+
+/// As `sendTexels`, of what ways of filtering need beside texels; the context is current.
+void Viewport::Private::sendFilters(double milliseconds)
+{
+    if (!shownSurface) {
+        return;
+    }
+    const std::vector<render::Filtering> shown = filteringsShown();
+    renderer->wantFilterings(shown);
+    const bool needsMesh = std::ranges::any_of(shown, [](render::Filtering filtering) {
+        return render::sourceOf(filtering) != render::FilterSource::Texels;
+    });
+    if (!needsMesh) {
+        return;
+    }
+    if (!filterMesh) {
+        if (std::exchange(filterMeshDirty, false)) {
+            renderer->setFilterMesh(nullptr);
+        }
+        makeFilterMesh();
+        return;
+    }
+    if (std::exchange(filterMeshDirty, false)) {
+        renderer->setFilterMesh(filterMesh);
+    }
+    bool hasMore = sendFilters(texels(), render::Side::A, milliseconds);
+    if (hasOtherTexels()) {
+        hasMore = sendFilters(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
+    }
+    if (hasMore) {
+        QTimer::singleShot(kLookAgainMs, &q, [this] { redraw(); });
+    }
+}
+
+/// Waits until ways of filtering have what they need; the context is current.
+void Viewport::Private::finishFilters()
+{
+    sendFilters(0);
+    if (filterWatcher.isRunning()) {
+        filterWatcher.waitForFinished();
+        filterMeshReady();
+        sendFilters(0);
+    }
+    while (filterMesh && shownSurface &&
+           (sendFilters(texels(), render::Side::A, 0) ||
+            (hasOtherTexels() && sendFilters(otherSideTexels(), render::Side::B, 0)))) {
+        QThread::msleep(1);
+    }
+}
+
+bool Viewport::Private::sendFilters(const TexelStore& store, render::Side side, double milliseconds)
+{
+    QElapsedTimer clock;
+    clock.start();
+    while (renderer->hasFilterWork(side) && renderer->uploadFilters(store, kSliceBytes, side) > 0 &&
+           (milliseconds <= 0 || clock.nsecsElapsed() < static_cast<qint64>(milliseconds * 1e6))) {
+    }
+    return renderer->hasFilterWork(side);
+}
+
+} // namespace trixel::ui
