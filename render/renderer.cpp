@@ -115,10 +115,12 @@ void Renderer::setCardBudget(std::uint64_t bytes)
     shareBudget();
 }
 
-/// Of one side.
+/// Of one side's texels, or of one other form of them.
 std::uint32_t Renderer::mostTexels(std::size_t bytesEach) const
 {
-    const std::uint64_t share = m_cardBudget / (m_hasOtherTexels ? 2 : 1);
+    const std::uint64_t forms =
+        1U + (wants(FilterSource::Vertices) ? 1U : 0U) + (wants(FilterSource::Atlas) ? 1U : 0U);
+    const std::uint64_t share = m_cardBudget / (forms * (m_hasOtherTexels ? 2U : 1U));
     const std::uint64_t records = m_faceCount * sizeof(FaceRecord);
     const std::uint64_t bytes = share > records ? share - records : 0;
     return static_cast<std::uint32_t>(
@@ -256,10 +258,13 @@ void Renderer::draw(const Scene& scene)
         m_figures.surfaceError = limit->error();
     }
     m_figures.texels = shown.texelsUsed();
-    m_figures.residentBytes = shown.cardBytes();
     m_figures.budgetBytes = m_cardBudget;
-    if (m_hasOtherTexels) {
-        m_figures.residentBytes += texels(Side::B).cardBytes();
+    for (Layer& layer : m_layers) {
+        m_figures.residentBytes += layer.display.cardBytes();
+        if (layer.vertices.isReady()) {
+            const DisplayVertices& vertices = layer.vertices.layout();
+            m_figures.residentBytes += vertices.verticesUsed() * texelBytes(vertices.format());
+        }
     }
 }
 

@@ -40,6 +40,7 @@ void Renderer::wantFilterings(std::span<const Filtering> filterings)
             layer.atlas.clear();
         }
     }
+    shareBudget();
 }
 
 std::size_t Renderer::uploadFilters(const TexelStore& store, std::size_t byteBudget, Side side)
@@ -51,15 +52,13 @@ std::size_t Renderer::uploadFilters(const TexelStore& store, std::size_t byteBud
     const CardChannels& channels = sent.display.channels();
     std::size_t bytes = 0;
     if (wants(FilterSource::Vertices)) {
-        const std::uint64_t most = std::min<std::uint64_t>(
-            TextureBuffer::maxElements(*m_gl), std::numeric_limits<std::int32_t>::max());
+        const std::uint64_t most = mostTexels(texelBytes(sent.display.format()));
         bytes +=
             sent.vertices.upload(m_filterMesh, store, channels, sent.mipDrop, most, byteBudget);
     }
     if (wants(FilterSource::Atlas)) {
-        constexpr std::uint64_t kMostBytes = 512U << 20U;
-        bytes +=
-            sent.atlas.upload(m_filterMesh, store, channels, sent.mipDrop, kMostBytes, byteBudget);
+        const std::uint64_t most = mostTexels(1); // bytes
+        bytes += sent.atlas.upload(m_filterMesh, store, channels, sent.mipDrop, most, byteBudget);
     }
     return bytes;
 }
