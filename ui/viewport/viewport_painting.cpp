@@ -68,7 +68,11 @@ void Viewport::Private::drawPreview()
         return;
     }
     const std::vector<TouchedRect> rects = painting.draw(*renderer, shownSurface->mesh());
-    if (!rects.empty() && !texelsDirty) {
+    if (rects.empty()) {
+        return;
+    }
+    streaming.texelsChanged(); // a block made of what they were before would come too late
+    if (!texelsDirty) {
         touchTexels({rects}, render::Side::A);
     }
 }

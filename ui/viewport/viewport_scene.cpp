@@ -59,10 +59,11 @@ void Viewport::Private::takeChange(const Change& change)
 {
     shownTexels.forget();
     streaming.texelsChanged();
+    const bool isHeld = painting.hold(change, document.texels());
     if (otherTexels) {
         setOtherTexels(std::nullopt);
     } else if (renderer && !texelsDirty) {
-        if (!painting.hold(change, document.texels())) {
+        if (!isHeld) {
             touchTexels(change, render::Side::A);
         }
         if (comparison.by == ComparedBy::Level && !otherSideDirty) {

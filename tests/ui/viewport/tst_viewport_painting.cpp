@@ -161,6 +161,26 @@ private slots:
         }
     }
 
+    void anotherMipLevelInTheMiddleOfAStrokeLosesNothing()
+    {
+        PaintingFixture view;
+        QVERIFY(view.showNoise());
+        PaintingFixture plain;
+        QVERIFY(plain.showNoise(TexelType::UInt8, render::PaintOnCard::Never));
+        for (PaintingFixture* one : {&view, &plain}) {
+            one->drag();
+            for (const int drop : {2, 0}) {
+                ViewOptions options = one->settings.view();
+                options.mipDrop = drop;
+                one->settings.setView(options);
+                QTest::qWait(15); // texels come in before the next frame, or after it
+            }
+            one->letGo();
+        }
+        QTRY_VERIFY(!view.document.hasStroke());
+        QCOMPARE(view.picture(), plain.picture());
+    }
+
     void aCancelledStrokeLeavesNothing()
     {
         PaintingFixture view;
