@@ -124,7 +124,7 @@ QString footprintRowSample(FootprintRow row)
     case FootprintRow::Second:
         return tr("-0.01234, -0.01234  (12.3 texels)");
     case FootprintRow::Axes:
-        return tr("0.00123 × 0.00123  (12.3 × 12.3 texels)");
+        return tr("0.00123 × 0.000123  (12.3 × 0.123 texels)");
     case FootprintRow::Clamps:
         return tr("widened for the texels: 0.123 → 0.577 texels\nthe method reads wider: 1 → 2");
     case FootprintRow::Level:

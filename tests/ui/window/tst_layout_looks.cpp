@@ -2,7 +2,7 @@
 //
 // Looking tools in the layout's net: the maps of faces, the filtered picture, both sides of the
 // split line, by the keys and the pointer that the view takes.
-#include <QDockWidget>
+#include <QApplication>
 
 #include "core/filter/filter_method.h"
 #include "tests/ui/inspector/layout_fixture.h"
