@@ -63,7 +63,7 @@ ViewActions::ViewActions(const Document& document,
         {Qt::Key_O},
         "footprint",
         &ViewOptions::footprint);
-    addSwitch(tr("Frame Figu&res"),
+    addSwitch(tr("Frame Fig&ures"),
               tr("Show what each frame took and drew, and what lies on the graphics card"),
               QKeySequence(Qt::CTRL | Qt::Key_U),
               {},
