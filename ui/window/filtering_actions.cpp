@@ -15,7 +15,7 @@ namespace trixel::ui {
 FilteringActions::FilteringActions(ViewSettings& settings, QWidget& window)
     : QObject(&window)
     , m_settings(settings)
-    , m_ownMenu(new QMenu(tr("Texels &Drawn As"), &window))
+    , m_ownMenu(new QMenu(tr("Te&xels Drawn As"), &window))
     , m_otherMenu(new QMenu(tr("Texels of B Drawn As"), &window))
 {
     m_ownMenu->setToolTipsVisible(true);

@@ -21,6 +21,7 @@
 #include "ui/window/actions.h"
 #include "ui/window/bookmark_actions.h"
 #include "ui/window/brush_actions.h"
+#include "ui/window/card_actions.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/compare_actions.h"
 #include "ui/window/edit_actions.h"
@@ -172,6 +173,7 @@ void MainWindow::makeMenus()
     m_brushActions = new BrushActions(m_settings, m_colors, m_panels->brush(), *this);
     m_pictureActions = new PictureActions(workspace());
     m_viewActions = new ViewActions(m_document, m_settings, *m_viewport, *this);
+    m_cardActions = new CardActions(m_settings, *this);
     m_mapActions = new MapActions(m_settings, *this);
     m_inspectActions =
         new InspectActions(m_document, m_inspection, *m_viewport, m_panels->readout(), *this);
@@ -200,6 +202,7 @@ void MainWindow::makeMenus()
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
+    m_cardActions->fillMenu(*view);
     view->addSeparator();
     m_inspectActions->fillViewMenu(*view);
     view->addSeparator();
@@ -208,8 +211,7 @@ void MainWindow::makeMenus()
     m_mapActions->fillMenu(*view);
     auto* filterings = new FilteringActions(m_settings, *this);
     filterings->fillMenu(*view);
-    auto* compare =
-        new CompareActions(m_settings, *m_mapActions, *filterings, *m_viewport, *this);
+    auto* compare = new CompareActions(m_settings, *m_mapActions, *filterings, *m_viewport, *this);
     connect(compare, &CompareActions::remembered, m_inspectors, &InspectorPanels::rememberBefore);
     compare->fillMenu(*view);
     m_lookActions->fillMenu(*view);

@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace trixel::ui {
 
 class BrushActions;
+class CardActions;
 class EditActions;
 class FileActions;
 class InspectActions;
@@ -105,6 +106,7 @@ private:
     BrushActions* m_brushActions = nullptr;
     PictureActions* m_pictureActions = nullptr;
     ViewActions* m_viewActions = nullptr;
+    CardActions* m_cardActions = nullptr;
     MapActions* m_mapActions = nullptr;
     InspectActions* m_inspectActions = nullptr;
     LookActions* m_lookActions = nullptr;

@@ -37,11 +37,11 @@ ViewActions::ViewActions(const Document& document,
 {
     ActionMaker make(window);
     m_frame = make(tr("&Frame"), tr("Look at the faces under the pointer"), {Qt::Key_F}, "frame");
-    m_frameAll = make(tr("Frame &All"), tr("Look at the whole surface"), {Qt::Key_A}, "frame-all");
+    m_frameAll = make(tr("Frame All"), tr("Look at the whole surface"), {Qt::Key_A}, "frame-all");
     connect(m_frame, &QAction::triggered, &viewport, &Viewport::frameHovered);
     connect(m_frameAll, &QAction::triggered, &viewport, &Viewport::frameAll);
 
-    addSwitch(tr("&Lit"),
+    addSwitch(tr("Lit"),
               tr("Shade the surface by a light; off shows the texels' own colours"),
               {Qt::Key_U},
               "lit",
@@ -70,7 +70,6 @@ ViewActions::ViewActions(const Document& document,
               &ViewOptions::hud);
     makeLimit(viewport);
     makeMips();
-    makePaintOnCard();
     connect(&settings, &ViewSettings::viewChanged, this, &ViewActions::follow);
     connect(&document, &Document::opened, this, [this] { listMips(0); });
     connect(
@@ -96,7 +95,7 @@ QAction* ViewActions::addSwitch(const QString& text,
 
 void ViewActions::makeLimit(const Viewport& viewport)
 {
-    m_limit = addSwitch(tr("Limit &Surface"), {}, {Qt::Key_L}, {}, &ViewOptions::limitSurface);
+    m_limit = addSwitch(tr("Limit Surface"), {}, {Qt::Key_L}, {}, &ViewOptions::limitSurface);
     auto* errors = new QActionGroup(this);
     Mnemonics taken;
     const QString text = tr("Limit Surface within %1 Pixels");
@@ -160,28 +159,6 @@ void ViewActions::makeMips()
 }
 
 /// Three commands, of which one is chosen.
-void ViewActions::makePaintOnCard()
-{
-    const ActionMaker make(m_window);
-    m_paintOnCard = {
-        make.toggle(tr("Paint on Card: &Never"), tr("Show every stroke when the texels have it")),
-        make.toggle(tr("Paint on Card: Where &Faster"),
-                    tr("Show large dabs by the graphics card before the texels have "
-                       "them, where it was measured to be faster")),
-        make.toggle(tr("Paint on Card: &Always"),
-                    tr("Show every stroke by the graphics card before the texels have "
-                       "it"))};
-    auto* group = new QActionGroup(this);
-    for (std::size_t k = 0; k < m_paintOnCard.size(); ++k) {
-        group->addAction(m_paintOnCard[k]);
-        connect(m_paintOnCard[k], &QAction::triggered, this, [this, k] {
-            ViewOptions view = m_settings.view();
-            view.paintOnCard = static_cast<render::PaintOnCard>(k);
-            m_settings.setView(view);
-        });
-    }
-}
-
 void ViewActions::listMips(int drop)
 {
     // The finest level decides how many steps change anything.
@@ -210,7 +187,6 @@ void ViewActions::follow()
     for (const auto& [action, option] : m_switches) {
         action->setChecked(m_settings.view().*option);
     }
-    m_paintOnCard[static_cast<std::size_t>(m_settings.view().paintOnCard)]->setChecked(true);
     followLimit();
     const int drop = m_settings.view().mipDrop;
     m_mips->setCurrentIndex(drop);
@@ -229,18 +205,13 @@ void ViewActions::fillMenu(QMenu& menu)
     for (const auto& [action, option] : m_switches) {
         menu.addAction(action);
     }
-    QMenu* errors = menu.addMenu(tr("Limit Surface &Error"));
+    QMenu* errors = menu.addMenu(tr("&Limit Surface Error"));
     for (const auto& [action, error] : m_limitErrors) {
         errors->addAction(action);
     }
     menu.addSeparator();
     menu.addAction(m_coarser);
     menu.addAction(m_finer);
-    QMenu* painting = menu.addMenu(tr("&Paint on Card"));
-    painting->setToolTipsVisible(true);
-    for (QAction* action : m_paintOnCard) {
-        painting->addAction(action);
-    }
 }
 
 void ViewActions::fillToolBar(QToolBar& bar)

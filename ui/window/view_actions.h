@@ -5,7 +5,6 @@
 
 #include "ui/viewport/view_settings.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -43,7 +42,6 @@ private:
     void followLimit();
     void makeLimit(const Viewport& viewport);
     void makeMips();
-    void makePaintOnCard();
     void setMipDrop(int drop);
     /// \param drop  shown then, if there are as many mips
     void listMips(int drop);
@@ -61,7 +59,6 @@ private:
     QAction* m_coarser = nullptr;
     QAction* m_finer = nullptr;
     QComboBox* m_mips = nullptr;
-    std::array<QAction*, 3> m_paintOnCard{}; ///< by choice
 };
 
 } // namespace trixel::ui
