@@ -42,7 +42,7 @@ void Viewport::Private::forgetFilterMesh()
 
 void Viewport::Private::makeFilterMesh()
 {
-    if (filterWatcher.isRunning()) {
+    if (std::exchange(isMakingFilterMesh, true)) {
         return;
     }
     filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface, store = document.texels()] {
@@ -52,8 +52,12 @@ void Viewport::Private::makeFilterMesh()
     filterMeshMade = filterMeshNumber;
 }
 
+/// Also where one waited for it and the watcher tells again.
 void Viewport::Private::filterMeshReady()
 {
+    if (!std::exchange(isMakingFilterMesh, false)) {
+        return;
+    }
     if (filterMeshMade == filterMeshNumber) {
         filterMesh = filterWatcher.result();
         filterMeshDirty = true;
@@ -98,7 +102,7 @@ void Viewport::Private::sendFilters(double milliseconds)
 void Viewport::Private::finishFilters()
 {
     sendFilters(0);
-    if (filterWatcher.isRunning()) {
+    while (isMakingFilterMesh) { // again where levels changed meanwhile
         filterWatcher.waitForFinished();
         filterMeshReady();
         sendFilters(0);

@@ -9,8 +9,8 @@
 #include "ui/document/face_selection.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/canvas.h"
-#include "ui/viewport/card_streaming.h"
 #include "ui/viewport/card_painting.h"
+#include "ui/viewport/card_streaming.h"
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
@@ -179,6 +179,7 @@ public:
     bool filterMeshDirty = true;       ///< the renderer has another
     int filterMeshNumber = 0;          ///< of the surface and levels shown
     int filterMeshMade = -1;           ///< the number when its making began
+    bool isMakingFilterMesh = false;   ///< and not taken over yet
     QLabel* message = nullptr;         ///< in the view's place when it cannot draw
     FootprintLegend* legend = nullptr; ///< none where there is no OpenGL
     FrameHud* hud = nullptr;           ///< likewise
