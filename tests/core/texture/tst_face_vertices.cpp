@@ -37,12 +37,13 @@ blockOf(const Mesh& mesh, const TexelStore& store, FaceId face, Level most, int 
     return bytes;
 }
 
+/// The same as the card reads them.
 std::vector<float> valuesOf(const Mesh& mesh, const TexelStore& store, FaceId face)
 {
-    ChainCache chains({0, 1, 2, -1}, kRoom);
-    const FaceMips mips(store, chains);
-    const FaceVertices vertices(mips, mesh.adjacency, mesh.rings);
-    return vertices.values({face, 0, vertexBlockSize(vertices.level(face))});
+    const std::vector<std::byte> bytes = blockOf(mesh, store, face, store.face(face).level());
+    std::vector<float> values(bytes.size() / byteSize(store.format().type));
+    decode(store.format().type, bytes, values);
+    return values;
 }
 
 /// The same texels as another type.
