@@ -39,6 +39,8 @@ public:
     Status errorMap();
     Status falseColours();
     Status comparedFilters();
+    Status seamlessTexels();
+    Status limitSurface();
     Status footprint();
     Status seamMeter();
     Status faceTable();
