@@ -9,9 +9,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "core/io/project.h"
 #include "core/study/processor_clock.h"
-#include "tests/bench/sheet_mesh.h"
+#include "tests/bench/sheet_project.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/application.h"
@@ -34,26 +33,6 @@ namespace {
 
 const std::vector<std::string> kDocks{
     "readoutPanel", "layoutPanel", "mipPanel", "footprintPanel", "facesPanel", "lookPanel"};
-
-/// A wavy sheet of 2 n² faces, every texel of them noise.
-Project sheet(int n)
-{
-    TriangleMesh mesh = sheetMesh(n);
-    NoProgress progress;
-    Project project;
-    std::mt19937 random(1);
-    project.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
-                                TexelFormat{},
-                                Level(1),
-                                std::vector<std::byte>(3));
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        for (std::byte& b : project.texels.writable(faceId(f))) {
-            b = static_cast<std::byte>(random());
-        }
-    }
-    project.surface = Surface::build(std::move(mesh), progress).value();
-    return project;
-}
 
 /// Side by side, so that all can be seen at once: in the window's own layout tabs cover some.
 void layOut(MainWindow& window)
@@ -81,7 +60,7 @@ MainWindow& windowOn(Windows& windows, int n)
         window->resize(1920, 1080);
         window->show();
         layOut(*window);
-        window->document().open(sheet(n), {}, "sheet");
+        window->document().open(sheetProject(n, Level(1)), {}, "sheet");
         window->viewport().lookFrom(0, 0);
     }
     return *window;

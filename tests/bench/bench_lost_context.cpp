@@ -5,8 +5,7 @@
 #include <QApplication>
 #include <QOpenGLWidget>
 
-#include "core/io/project.h"
-#include "tests/bench/sheet_mesh.h"
+#include "tests/bench/sheet_project.h"
 #include "ui/document/document.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
@@ -14,32 +13,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <random>
-
 using namespace trixel;
 using namespace trixel::ui;
 
 namespace {
-
-/// A wavy sheet of 2 n² faces, every texel of them noise.
-Project sheet(int n, int level)
-{
-    TriangleMesh mesh = sheetMesh(n);
-    NoProgress progress;
-    Project project;
-    std::mt19937 random(1);
-    project.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
-                                TexelFormat{},
-                                Level(level),
-                                std::vector<std::byte>(3));
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        for (std::byte& b : project.texels.writable(faceId(f))) {
-            b = static_cast<std::byte>(random());
-        }
-    }
-    project.surface = Surface::build(std::move(mesh), progress).value();
-    return project;
-}
 
 void loseContext(QOpenGLWidget& canvas)
 {
@@ -59,7 +36,9 @@ void lost(benchmark::State& state)
     view.resize(1280, 800);
     view.show();
     document.open(
-        sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))), {}, "sheet");
+        sheetProject(static_cast<int>(state.range(0)), Level(static_cast<int>(state.range(1)))),
+        {},
+        "sheet");
     QCoreApplication::processEvents();
     view.settle();
     const QImage before = view.grabFramebuffer();

@@ -6,8 +6,7 @@
 #include <QGuiApplication>
 #include <QThread>
 
-#include "core/io/project.h"
-#include "tests/bench/sheet_mesh.h"
+#include "tests/bench/sheet_project.h"
 #include "tests/render/offscreen.h"
 #include "ui/document/document.h"
 #include "ui/viewport/card_streaming.h"
@@ -29,27 +28,14 @@ constexpr int kWidth = 1280;
 constexpr int kHeight = 800;
 constexpr double kUploadMs = 4.0; // as the view has it
 
-/// A wavy sheet of 2 n² faces, every texel of them noise.
-const Project& sheet(int n, int level)
+/// Made once.
+const Project& sheet(int n)
 {
     static std::map<int, Project> sheets;
     Project& project = sheets[n];
-    if (project.surface) {
-        return project;
+    if (!project.surface) {
+        project = sheetProject(n, Level(3));
     }
-    TriangleMesh mesh = sheetMesh(n);
-    NoProgress progress;
-    std::mt19937 random(1);
-    project.texels = TexelStore(static_cast<std::uint32_t>(mesh.faceCount()),
-                                TexelFormat{},
-                                Level(level),
-                                std::vector<std::byte>(3));
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        for (std::byte& b : project.texels.writable(faceId(f))) {
-            b = static_cast<std::byte>(random());
-        }
-    }
-    project.surface = Surface::build(std::move(mesh), progress).value();
     return project;
 }
 
@@ -115,7 +101,7 @@ struct View
 /// Close over a million faces of 64 texels: faces come into view and go with every frame.
 void orbit(benchmark::State& state)
 {
-    const Project& project = sheet(static_cast<int>(state.range(0)), 3);
+    const Project& project = sheet(static_cast<int>(state.range(0)));
     View view(project, kWidth, kHeight);
     view.renderer->setCardBudget(static_cast<std::uint64_t>(state.range(1)) << 20U);
     view.streaming.finish(*view.renderer, view.scene.camera, project.texels, render::Side::A);
@@ -152,7 +138,7 @@ void stroke(benchmark::State& state)
 {
     const int side = static_cast<int>(state.range(0));
     Document document;
-    document.open(sheet(side, 3), {}, {});
+    document.open(sheet(side), {}, {});
     View view({document.surface(), document.texels(), {}}, 640, 400);
     QObject::connect(&document, &Document::changed, [&](const Change& change) {
         view.streaming.texelsChanged();
@@ -200,7 +186,7 @@ BENCHMARK(stroke)
 /// What other threads do for each view, on one core.
 void plan(benchmark::State& state)
 {
-    const Project& project = sheet(707, 3);
+    const Project& project = sheet(707);
     const auto extents = render::FaceExtents::of(project.surface->mesh(), Threads{1});
     std::vector<render::Wish> wishes(extents.size());
     const std::vector<render::FaceOnCard> faces(extents.size(), render::FaceOnCard{3, 1});
