@@ -112,8 +112,8 @@ bool DisplayVertices::place(const TexelStore& store, FaceId face, bool isConstan
     }
     record.offset = m_used;
     const auto number = static_cast<std::uint32_t>(level);
-    record.bits =
-        number | (number << FaceRecord::kOwnShift) | (isConstant ? FaceRecord::kConstant : 0);
+    // A constant face has level 0 alone.
+    record.bits = (isConstant ? FaceRecord::kConstant : number) | (number << FaceRecord::kOwnShift);
     m_used = static_cast<std::uint32_t>(end);
     return true;
 }
