@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/atlas/atlas_texels.h"
 
-#include "core/lattice/edge_transfer.h"
+#include "core/atlas/unfolded_place.h"
 #include "core/texture/mips.h"
 
 #include <algorithm>
@@ -11,17 +11,6 @@
 namespace trixel {
 
 namespace {
-
-/// The edge that a point lies farthest beyond, or nothing where it is inside.
-std::optional<LocalEdge> edgeBeyond(glm::dvec2 uv)
-{
-    const double w = 1 - uv.x - uv.y;
-    const double least = std::min({uv.x, uv.y, w});
-    return least >= 0      ? std::nullopt
-           : least == uv.y ? std::optional(LocalEdge::E0)
-           : least == w    ? std::optional(LocalEdge::E1)
-                           : std::optional(LocalEdge::E2);
-}
 
 /// Copies a texel to so many that follow each other.
 void repeat(std::span<const std::byte> texel, std::size_t count, std::byte* target)
@@ -67,19 +56,10 @@ void AtlasTexels::replace(FaceId face, FaceTexels texels)
 AtlasSource AtlasTexels::source(FaceId face, LatticeCell cell) const
 {
     const double third = cell.half == TexelHalf::Lower ? 1.0 / 3.0 : 2.0 / 3.0;
-    glm::dvec2 uv = glm::dvec2(cell.i + third, cell.j + third) / double(levelOf(face).resolution());
-    // A cell of a border lies at most two cells beyond: a few faces about a corner at most.
-    constexpr int kMostCrossings = 4;
-    for (int k = 0; k < kMostCrossings; ++k) {
-        const std::optional<LocalEdge> edge = edgeBeyond(uv);
-        const auto next = edge ? m_adjacency.neighbour(face, *edge) : std::nullopt;
-        if (!next) {
-            break;
-        }
-        uv = acrossEdge(*edge, next->edge, uv);
-        face = next->face;
-    }
-    return {face, levelOf(face), texelAt(levelOf(face), uv)};
+    const glm::dvec2 uv =
+        glm::dvec2(cell.i + third, cell.j + third) / double(levelOf(face).resolution());
+    const SurfacePlace place = unfoldedPlace(m_adjacency, face, uv);
+    return {place.face, levelOf(place.face), texelAt(levelOf(place.face), place.uv)};
 }
 
 void AtlasTexels::fillBorder(FaceId face,

@@ -8,6 +8,25 @@
 
 namespace trixel {
 
+bool isConstantAround(const TexelStore& store, const VertexRings& rings, FaceId face)
+{
+    const FaceTexels& own = store.face(face);
+    if (!own.isConstant()) {
+        return false;
+    }
+    const auto isAlike = [&](const Corner& corner) {
+        const FaceTexels& other = store.face(corner.face);
+        return other.isConstant() &&
+               (other.sharesBytesWith(own) || std::ranges::equal(other.texel(0), own.texel(0)));
+    };
+    for (std::uint8_t corner = 0; corner < 3; ++corner) {
+        if (!std::ranges::all_of(rings.corners(rings.ring({face, corner})), isAlike)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 FaceVertices::FaceVertices(const FaceMips& mips,
                            const Adjacency& adjacency,
                            const VertexRings& rings)
@@ -25,22 +44,7 @@ std::size_t FaceVertices::vertexBytes() const
 
 bool FaceVertices::isConstant(FaceId face) const
 {
-    const TexelStore& store = m_mips.store();
-    const FaceTexels& own = store.face(face);
-    if (!own.isConstant()) {
-        return false;
-    }
-    const auto isAlike = [&](const Corner& corner) {
-        const FaceTexels& other = store.face(corner.face);
-        return other.isConstant() &&
-               (other.sharesBytesWith(own) || std::ranges::equal(other.texel(0), own.texel(0)));
-    };
-    for (std::uint8_t corner = 0; corner < 3; ++corner) {
-        if (!std::ranges::all_of(m_rings.corners(m_rings.ring({face, corner})), isAlike)) {
-            return false;
-        }
-    }
-    return true;
+    return isConstantAround(m_mips.store(), m_rings, face);
 }
 
 FaceVertices::Face FaceVertices::faceOf(FaceId face) const

@@ -12,6 +12,9 @@
 
 namespace trixel {
 
+/// Whether a face and all that share a vertex with it are one constant.
+bool isConstantAround(const TexelStore& store, const VertexRings& rings, FaceId face);
+
 /// The vertices of single faces, made when asked for: what `ConformingPyramid` holds of all faces
 /// at once, to the bit before they are stored. Each vertex is stored as four channels of the
 /// store's own type (4, 8 or 16 bytes). What rule 3 derives is derived from values as they are

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/atlas/handoff_pages.h"
+
+#include "core/atlas/handoff_sample_points.h"
+#include "core/atlas/unfolded_place.h"
+#include "core/lattice/edge_transfer.h"
+#include "core/texture/face_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace trixel {
+
+namespace {
+
+class HandOffPainter
+{
+public:
+    HandOffPainter(const HandOffLayout& layout,
+                   const FilterScene& scene,
+                   const FilterMethod& method,
+                   const TexelFormat& format)
+        : m_layout(layout)
+        , m_scene(scene)
+        , m_method(method)
+        , m_format(format)
+        , m_owners(layout, scene.surface())
+    {
+        for (const AtlasPage& page : layout.pages()) {
+            m_pages.push_back({page,
+                               format,
+                               std::vector<std::byte>(std::size_t{page.width} * page.height *
+                                                      format.texelBytes())});
+        }
+    }
+
+    /// The samples that the face is the one to take.
+    void sample(FaceId face)
+    {
+        const std::vector<HandOffSample> samples = m_owners.ownSamples(face);
+        const auto intervals = static_cast<float>(m_layout.tile(face).intervals());
+        QueryArrays queries;
+        for (const HandOffSample& sample : samples) {
+            const glm::vec2 uv =
+                glm::vec2(static_cast<float>(sample.i), static_cast<float>(sample.j)) / intervals;
+            queries.add(face, uv, glm::vec2(0), glm::vec2(0));
+        }
+        ResultArrays answers(samples.size(), m_scene.channels());
+        m_method.filter(m_scene, queries.queries(), answers.results());
+        std::vector<float> pixel(m_format.channels);
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            for (std::size_t c = 0; c < pixel.size(); ++c) {
+                pixel[c] = answers.values[c * samples.size() + k];
+            }
+            encode(m_format.type, pixel, at(face, samples[k]));
+        }
+    }
+
+    void copyVertices(FaceId face)
+    {
+        const int n = m_layout.tile(face).intervals();
+        for (std::uint8_t k = 0; k < 3; ++k) {
+            const Corner owner = m_owners.vertexOwner({face, k});
+            if (owner.face != face || owner.index != k) {
+                const int other = m_layout.tile(owner.face).intervals();
+                std::ranges::copy(at(owner.face, cornerSample(owner.index, other)),
+                                  at(face, cornerSample(k, n)).begin());
+            }
+        }
+    }
+
+    void copyEdges(FaceId face)
+    {
+        for (const LocalEdge edge : {LocalEdge::E0, LocalEdge::E1, LocalEdge::E2}) {
+            if (const auto owner = m_owners.edgeOwner(face, edge)) {
+                copyEdge(face, edge, *owner);
+            }
+        }
+    }
+
+    /// What lies next to the diagonal, so that it interpolates as straight as the other edges.
+    void straighten(FaceId face)
+    {
+        const int n = m_layout.tile(face).intervals();
+        for (int i = 1; i <= n; ++i) {
+            goOnStraight(face, {i, n + 1 - i});
+        }
+    }
+
+    void pad(FaceId face)
+    {
+        const HandOffTile tile = m_layout.tile(face);
+        const int n = tile.intervals();
+        for (int j = -tile.padding(); j <= n + 2 * tile.padding(); ++j) {
+            for (int i = -tile.padding(); tile.holds({i, j}); ++i) {
+                const bool isOwn = i >= 0 && j >= 0 && i + j <= n;
+                const bool isStraight = i >= 1 && j >= 1 && i + j == n + 1;
+                if (!isOwn && !isStraight) {
+                    std::ranges::copy(nearestOwn(face, {i, j}), at(face, {i, j}).begin());
+                }
+            }
+        }
+    }
+
+    std::vector<PageImage> takePages() { return std::move(m_pages); }
+
+private:
+    std::span<std::byte> at(FaceId face, HandOffSample sample)
+    {
+        return m_pages[m_layout.place(face).page].at(m_layout.pixel(face, sample));
+    }
+    std::vector<float> valueAt(FaceId face, HandOffSample sample)
+    {
+        std::vector<float> value(m_format.channels);
+        decode(m_format.type, at(face, sample), value);
+        return value;
+    }
+
+    void copyEdge(FaceId face, LocalEdge edge, const EdgeNeighbour& owner)
+    {
+        const int n = m_layout.tile(face).intervals();
+        const int m = m_layout.tile(owner.face).intervals();
+        for (int k = 1; k < n; ++k) {
+            // As the owner counts along the edge, the other way round.
+            const double along = double(m) - double(k) * m / n;
+            const int before = std::min(static_cast<int>(along), m - 1);
+            const auto part = static_cast<float>(along - before);
+            std::vector<float> value = valueAt(owner.face, edgeSample(owner.edge, before, m));
+            if (part > 0) {
+                const auto next = valueAt(owner.face, edgeSample(owner.edge, before + 1, m));
+                for (std::size_t c = 0; c < value.size(); ++c) {
+                    value[c] = part == 1 ? next[c] : value[c] + part * (next[c] - value[c]);
+                }
+            }
+            encode(m_format.type, value, at(face, edgeSample(edge, k, n)));
+        }
+    }
+
+    /// f(i,j) = f(i,j-1) + f(i-1,j) - f(i-1,j-1) makes the bilinear cell across the diagonal flat.
+    /// Where the type cannot hold that (beyond 1, next to a hard edge), the sample opposite takes
+    /// up the rest, unless it is itself of an edge.
+    void goOnStraight(FaceId face, HandOffSample sample)
+    {
+        const HandOffSample opposite{sample.i - 1, sample.j - 1};
+        const std::vector<float> left = valueAt(face, {sample.i - 1, sample.j});
+        const std::vector<float> below = valueAt(face, {sample.i, sample.j - 1});
+        std::vector<float> value = valueAt(face, opposite);
+        for (std::size_t c = 0; c < value.size(); ++c) {
+            value[c] = left[c] + below[c] - value[c];
+        }
+        encode(m_format.type, value, at(face, sample));
+        if (opposite.i >= 1 && opposite.j >= 1) {
+            value = valueAt(face, sample);
+            for (std::size_t c = 0; c < value.size(); ++c) {
+                value[c] = left[c] + below[c] - value[c];
+            }
+            encode(m_format.type, value, at(face, opposite));
+        }
+    }
+
+    /// Of the neighbour that a sample of the padding lies in; of the face itself beyond a border.
+    std::span<const std::byte> nearestOwn(FaceId face, HandOffSample sample)
+    {
+        const double n = m_layout.tile(face).intervals();
+        const SurfacePlace place =
+            unfoldedPlace(m_scene.surface().adjacency(), face, glm::dvec2(sample.i, sample.j) / n);
+        return at(place.face, nearestSample(place.uv, m_layout.tile(place.face).intervals()));
+    }
+
+    const HandOffLayout& m_layout;
+    const FilterScene& m_scene;
+    const FilterMethod& m_method;
+    TexelFormat m_format;
+    HandOffOwners m_owners;
+    std::vector<PageImage> m_pages;
+};
+
+/// Work on every face, with progress from begin to end. False when cancelled.
+bool forFaces(std::size_t count,
+              Threads threads,
+              Progress& progress,
+              const std::function<void(FaceId)>& work)
+{
+    constexpr std::size_t kAtOnce = 4096;
+    constexpr std::size_t kGrain = 16;
+    for (std::size_t first = 0; first < count; first += kAtOnce) {
+        if (!progress.report(static_cast<double>(first) / static_cast<double>(count))) {
+            return false;
+        }
+        const std::size_t some = std::min(kAtOnce, count - first);
+        parallelFor(some, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                work(faceId(first + f));
+            }
+        });
+    }
+    return progress.report(1);
+}
+
+/// Largest difference along the edges of a face, those counted that the other side doesn't.
+double largestJump(const HandOffLayout& layout,
+                   std::span<const PageImage> pages,
+                   const Adjacency& adjacency,
+                   int pointsPerInterval,
+                   FaceId face)
+{
+    double largest = 0;
+    std::vector<float> here(pages.empty() ? 0 : pages.front().format.channels);
+    std::vector<float> there(here.size());
+    const auto look = [&](FaceId at, glm::dvec2 uv, std::span<float> value) {
+        pages[layout.place(at).page].bilinear(layout.position(at, uv), value);
+    };
+    for (const LocalEdge edge : {LocalEdge::E0, LocalEdge::E1, LocalEdge::E2}) {
+        const auto next = adjacency.neighbour(face, edge);
+        if (!next || std::pair(next->face, next->edge) < std::pair(face, edge)) {
+            continue;
+        }
+        const int points = pointsPerInterval * std::max(layout.tile(face).intervals(),
+                                                        layout.tile(next->face).intervals());
+        for (int k = 0; k <= points; ++k) {
+            const double t = static_cast<double>(k) / points;
+            look(face, fromEdge(edge, {t, 0}), here);
+            look(next->face, fromEdge(next->edge, {1 - t, 0}), there);
+            for (std::size_t c = 0; c < here.size(); ++c) {
+                largest = std::max(largest, std::abs(double(here[c]) - double(there[c])));
+            }
+        }
+    }
+    return largest;
+}
+
+} // namespace
+
+FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
+                                        const FilterSurface& surface,
+                                        const HandOffOptions& options)
+{
+    FaceMap<std::uint32_t> intervals(store.faceCount());
+    for (std::uint32_t f = 0; f < store.faceCount(); ++f) {
+        const FaceId face = faceId(f);
+        intervals[face] = isConstantAround(store, surface.rings(), face)
+                              ? 1
+                              : options.samplesPerTexel * store.face(face).level().resolution();
+    }
+    return intervals;
+}
+
+Result<std::vector<PageImage>> handOffPages(const HandOffLayout& layout,
+                                            const FilterScene& scene,
+                                            const FilterMethod& method,
+                                            const TexelFormat& format,
+                                            Threads threads,
+                                            Progress& progress)
+{
+    check(layout.faceCount() == scene.faceCount(), "a layout of these faces");
+    check(format.channels == scene.channels(), "pixels of as many channels");
+    HandOffPainter painter(layout, scene, method, format);
+    const std::size_t faces = layout.faceCount();
+    StageProgress sampling(progress, 0, 0.9);
+    StageProgress vertices(progress, 0.9, 0.92);
+    StageProgress edges(progress, 0.92, 0.96);
+    StageProgress diagonals(progress, 0.96, 0.98);
+    StageProgress padding(progress, 0.98, 1);
+    // Each step reads what the ones before have written.
+    if (!forFaces(faces, threads, sampling, [&](FaceId face) { painter.sample(face); }) ||
+        !forFaces(faces, threads, vertices, [&](FaceId face) { painter.copyVertices(face); }) ||
+        !forFaces(faces, threads, edges, [&](FaceId face) { painter.copyEdges(face); }) ||
+        !forFaces(faces, threads, diagonals, [&](FaceId face) { painter.straighten(face); }) ||
+        !forFaces(faces, threads, padding, [&](FaceId face) { painter.pad(face); })) {
+        return cancelled();
+    }
+    return painter.takePages();
+}
+
+HandOffReport measureHandOff(const HandOffLayout& layout,
+                             std::span<const PageImage> pages,
+                             const Adjacency& adjacency,
+                             int pointsPerInterval,
+                             Threads threads)
+{
+    FaceMap<double> jumps(layout.faceCount());
+    parallelFor(layout.faceCount(), 16, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            jumps[faceId(f)] = largestJump(layout, pages, adjacency, pointsPerInterval, faceId(f));
+        }
+    });
+    HandOffReport report;
+    for (const double jump : jumps.values()) {
+        report.largestJump = std::max(report.largestJump, jump);
+    }
+    return report;
+}
+
+} // namespace trixel

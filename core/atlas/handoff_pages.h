@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pixels of a hand-off atlas. What a program with plain bilinear filtering shows of it has no
+// seams: samples of a shared edge are taken once, of the coarser of its two faces, and written to
+// both; the finer one interpolates between them; and the pixel beyond a diagonal goes on straight
+// from the three before it, so that the diagonal interpolates as straight as the other edges.
+#pragma once
+
+#include "core/atlas/handoff_layout.h"
+#include "core/atlas/page_image.h"
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/filter/filter_method.h"
+#include "core/texture/texel_format.h"
+#include "core/texture/texel_store.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace trixel {
+
+/// Intervals for every face of a store: so many for each texel along an edge. A face that is one
+/// value with all about it needs no more than one.
+FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
+                                        const FilterSurface& surface,
+                                        const HandOffOptions& options);
+
+/// Samples every face.
+/// \param scene   of the faces of the layout (checked)
+/// \param method  what a sample is: its value where the footprint is a point
+/// \param format  of the pixels; as many channels as the scene has (checked)
+/// Fails only when cancelled. Pixels that no face takes are 0.
+Result<std::vector<PageImage>> handOffPages(const HandOffLayout& layout,
+                                            const FilterScene& scene,
+                                            const FilterMethod& method,
+                                            const TexelFormat& format,
+                                            Threads threads,
+                                            Progress& progress);
+
+/// What is said of an atlas before it is handed on.
+struct HandOffReport
+{
+    /// Largest difference between what two faces show along their edge, bilinear, in any channel.
+    double largestJump = 0;
+};
+
+/// Measures pages as a program would show them: at so many points along each shared edge.
+HandOffReport measureHandOff(const HandOffLayout& layout,
+                             std::span<const PageImage> pages,
+                             const Adjacency& adjacency,
+                             int pointsPerInterval,
+                             Threads threads);
+
+} // namespace trixel
