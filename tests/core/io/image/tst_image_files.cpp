@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/image/image_levels.h"
+#include "tests/core/cancel_after.h"
+#include "tests/core/io/image/image_fixture.h"
+
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/texture.h>
+#include <cstring>
+#include <gmock/gmock.h>
+
+namespace trixel {
+namespace {
+
+using testing::HasSubstr;
+
+bool samePixels(const Image& a, const Image& b)
+{
+    return a.width() == b.width() && a.height() == b.height() && a.format() == b.format() &&
+           std::memcmp(a.pixels().data(), b.pixels().data(), a.byteCount()) == 0;
+}
+
+struct Written
+{
+    const char* name;
+    TexelType type;
+    std::uint16_t channels;
+    bool levels;
+    ColorSpace space;
+};
+
+class RoundTrip : public ImageFiles, public testing::WithParamInterface<Written>
+{
+};
+
+TEST_P(RoundTrip, bringsBackEveryBitAndWhatItMeans)
+{
+    const Written& one = GetParam();
+    ImageWriteOptions options;
+    options.multipliesByAlpha = false;
+    const Image image = wavyImage(70, 37, one.type, one.channels, one.space);
+    const auto levels = one.levels ? imageLevels(image, Threads{2}) : std::vector<Image>{image};
+    const Status written = write(at(one.name), levels, options);
+    ASSERT_TRUE(written) << written.error().message;
+    const auto back = read(at(one.name));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_TRUE(samePixels(*back, image));
+    EXPECT_EQ(toText(back->colors()), toText(image.colors()));
+    EXPECT_EQ(fileCount(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats,
+    RoundTrip,
+    testing::Values(Written{"a.png", TexelType::UInt8, 3, false, ColorSpace::SRgb},
+                    Written{"b.png", TexelType::UInt16, 4, false, ColorSpace::Linear},
+                    Written{"d.tif", TexelType::UInt8, 4, false, ColorSpace::Raw},
+                    Written{"e.tiff", TexelType::UInt16, 1, true, ColorSpace::SRgb},
+                    Written{"f.TIF", TexelType::Float, 3, false, ColorSpace::Linear},
+                    Written{"g.exr", TexelType::Half, 4, true, ColorSpace::Raw},
+                    Written{"h.exr", TexelType::Float, 7, false, ColorSpace::SRgb},
+                    Written{"i.tx", TexelType::UInt8, 3, true, ColorSpace::Linear},
+                    Written{"j.tx", TexelType::Half, 3, true, ColorSpace::Raw}));
+
+TEST_F(ImageFiles, readsEveryKindByItsBytesNotItsName)
+{
+    // Made by the library itself, as other programs do, under a name that says nothing.
+    OIIO::ImageBuf picture(OIIO::ImageSpec(24, 17, 3, OIIO::TypeDesc::FLOAT));
+    OIIO::ImageBufAlgo::fill(picture, {0.25F, 0.5F, 0.75F});
+    for (const char* ending : {"png", "jpg", "tif", "exr", "hdr", "tga", "bmp", "webp"}) {
+        const auto named = at(std::string("picture.") + ending);
+        const bool isFloat = ending == std::string("exr") || ending == std::string("hdr");
+        picture.write(named.string(), isFloat ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
+        const auto hidden = at("picture.dat");
+        std::filesystem::rename(named, hidden);
+        const auto image = read(hidden);
+        ASSERT_TRUE(image) << ending << ": " << image.error().message;
+        EXPECT_EQ(image->width(), 24) << ending;
+        EXPECT_EQ(image->height(), 17) << ending;
+        ASSERT_GE(image->format().channels, 3) << ending;
+        std::vector<float> values(image->byteCount() / byteSize(image->format().type));
+        decode(image->format().type, image->pixels(), values);
+        EXPECT_NEAR(values[1], 0.5, 0.02) << ending;
+        EXPECT_NEAR(values[2], 0.75, 0.02) << ending;
+        EXPECT_EQ(image->colors()[0], isFloat ? ColorSpace::Linear : ColorSpace::SRgb) << ending;
+    }
+}
+
+TEST_F(ImageFiles, rowsBeginAtTheTop)
+{
+    Image image(4, 3, {TexelType::UInt8, 1, std::nullopt}, {ColorSpace::Raw});
+    image.writable()[0] = std::byte{200};
+    ASSERT_TRUE(write(at("a.png"), {&image, 1}));
+    OIIO::ImageBuf other(at("a.png").string());
+    EXPECT_NEAR(other.getchannel(0, 0, 0, 0), 200 / 255.0, 1e-6);
+    EXPECT_EQ(other.getchannel(0, 2, 0, 0), 0);
+}
+
+TEST_F(ImageFiles, aTurnedPhotographIsUpright)
+{
+    OIIO::ImageSpec spec(3, 2, 1, OIIO::TypeDesc::UINT8);
+    const unsigned char pixels[] = {10, 20, 30, 40, 50, 60};
+    // For each orientation the shown picture's first row.
+    const std::vector<std::vector<int>> firstRows = {{10, 20, 30},
+                                                     {30, 20, 10},
+                                                     {60, 50, 40},
+                                                     {40, 50, 60},
+                                                     {10, 40},
+                                                     {40, 10},
+                                                     {60, 30},
+                                                     {30, 60}};
+    for (int orientation = 1; orientation <= 8; ++orientation) {
+        spec.attribute("Orientation", orientation);
+        const auto out = OIIO::ImageOutput::create("tiff");
+        ASSERT_TRUE(out->open(at("a.tif").string(), spec) &&
+                    out->write_image(OIIO::TypeDesc::UINT8, pixels) && out->close());
+        const auto image = read(at("a.tif"));
+        ASSERT_TRUE(image) << image.error().message;
+        const auto& row = firstRows[static_cast<std::size_t>(orientation - 1)];
+        ASSERT_EQ(image->width(), static_cast<int>(row.size())) << orientation;
+        for (std::size_t x = 0; x < row.size(); ++x) {
+            EXPECT_EQ(std::to_integer<int>(image->pixels()[x]), row[x]) << orientation;
+        }
+    }
+}
+
+TEST_F(ImageFiles, aCroppedPictureLiesInItsFrame)
+{
+    OIIO::ImageSpec spec(2, 2, 3, OIIO::TypeDesc::FLOAT);
+    spec.x = 1;
+    spec.y = 2;
+    spec.full_width = 5;
+    spec.full_height = 6;
+    const std::vector<float> pixels(12, 0.5F);
+    const auto out = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(out->open(at("a.exr").string(), spec) &&
+                out->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && out->close());
+    const auto image = read(at("a.exr"));
+    ASSERT_TRUE(image) << image.error().message;
+    ASSERT_EQ(image->width(), 5);
+    ASSERT_EQ(image->height(), 6);
+    std::vector<float> values(90);
+    decode(TexelType::Float, image->pixels(), values);
+    double sum = 0;
+    for (const float value : values) {
+        sum += value;
+    }
+    EXPECT_DOUBLE_EQ(sum, 6);
+    EXPECT_EQ(values[3 * (2 * 5 + 1)], 0.5F);
+}
+
+TEST_F(ImageFiles, othersFindColorsMultipliedByOpacityInOpenExr)
+{
+    const Image image = wavyImage(20, 10, TexelType::Float, 4, ColorSpace::Linear);
+    ASSERT_TRUE(write(at("a.exr"), {&image, 1}));
+    OIIO::ImageBuf other(at("a.exr").string());
+    std::vector<float> values(20 * 10 * 4);
+    decode(TexelType::Float, image.pixels(), values);
+    EXPECT_NEAR(other.getchannel(3, 4, 0, 0), values[332] * values[335], 1e-6);
+    const auto back = read(at("a.exr"));
+    ASSERT_TRUE(back) << back.error().message;
+    std::vector<float> again(values.size());
+    decode(TexelType::Float, back->pixels(), again);
+    EXPECT_NEAR(again[332], values[332], 1e-6);
+}
+
+TEST_F(ImageFiles, renderersTakeTheTextures)
+{
+    for (const char* name : {"a.tx", "b.exr", "c.tx"}) {
+        const TexelType type = name[0] == 'a' ? TexelType::UInt8 : TexelType::Half;
+        const Image image = wavyImage(256, 128, type, 3, ColorSpace::Linear);
+        const auto levels = imageLevels(image, Threads{2});
+        ASSERT_TRUE(write(at(name), levels));
+
+        const auto input = OIIO::ImageInput::open(at(name).string());
+        ASSERT_TRUE(input);
+        EXPECT_GT(input->spec().tile_width, 0);
+        EXPECT_EQ(input->spec().get_string_attribute("textureformat"), "Plain Texture");
+        EXPECT_TRUE(input->seek_subimage(0, 3));
+
+        OIIO::TextureSystem* system = OIIO::TextureSystem::create(false);
+        OIIO::TextureOpt options;
+        options.swrap = options.twrap = OIIO::TextureOpt::WrapClamp;
+        options.interpmode = OIIO::TextureOpt::InterpClosest;
+        options.mipmode = OIIO::TextureOpt::MipModeOneLevel;
+        float value[3] = {};
+        EXPECT_TRUE(system->texture(OIIO::ustring(at(name).string()),
+                                    options,
+                                    40.5F / 256,
+                                    30.5F / 128,
+                                    8 / 256.0F,
+                                    0,
+                                    0,
+                                    8 / 128.0F,
+                                    3,
+                                    value))
+            << system->geterror();
+        // Eight pixels across are level 3.
+        std::vector<float> values(3);
+        decode(type,
+               levels[3].row(3).subspan(5 * levels[3].format().texelBytes(),
+                                        levels[3].format().texelBytes()),
+               values);
+        EXPECT_NEAR(value[0], values[0], 1e-3) << name;
+        EXPECT_NEAR(value[1], values[1], 1e-3) << name;
+        OIIO::TextureSystem::destroy(system);
+    }
+}
+
+TEST_F(ImageFiles, writingRefusesWhatAFormatCannotHold)
+{
+    const struct
+    {
+        const char* name;
+        TexelType type;
+        std::uint16_t channels;
+        const char* says;
+    } cases[] = {{"a.jpg", TexelType::UInt8, 3, "expected a name that ends in"},
+                 {"a.png", TexelType::Half, 3, "a PNG holds 1 to 4 channels of uint8 or uint16"},
+                 {"a.png", TexelType::UInt8, 5, "not 5 of uint8"},
+                 {"a.tif", TexelType::Half, 3, "not half"},
+                 {"a.exr", TexelType::UInt8, 3, "not uint8"}};
+    for (const auto& one : cases) {
+        const Image image = wavyImage(4, 4, one.type, one.channels);
+        const Status status = write(at(one.name), {&image, 1});
+        ASSERT_FALSE(status);
+        EXPECT_THAT(status.error().message, HasSubstr(one.says));
+        EXPECT_EQ(fileCount(), 0U);
+    }
+    EXPECT_FALSE(checkImageTarget("a.png", {TexelType::UInt8, 3, {}}, 1 << 20, 4, false));
+    EXPECT_FALSE(checkImageTarget("a.png", {TexelType::UInt8, 3, {}}, 0, 4, false));
+    EXPECT_FALSE(checkImageTarget("a.png", {TexelType::UInt8, 3, {}}, 4, 4, true));
+}
+
+TEST_F(ImageFiles, cancellingLeavesWhatWasThere)
+{
+    put("a.png", "before");
+    const Image image = wavyImage(64, 64, TexelType::UInt8, 3);
+    for (int reports = 0; reports < 3; ++reports) {
+        CancelAfter progress(reports);
+        const Status status = writeImage(worker, at("a.png"), {&image, 1}, {}, progress);
+        if (status) {
+            break;
+        }
+        EXPECT_EQ(status.error().kind, ErrorKind::Cancelled);
+        EXPECT_EQ(bytesOf(at("a.png")), "before");
+        EXPECT_EQ(fileCount(), 1U);
+    }
+}
+
+TEST_F(ImageFiles, aFolderThatIsNotThereIsOneSentence)
+{
+    const Image image = wavyImage(4, 4, TexelType::UInt8, 3);
+    const Status status = write(at("no") / "a.png", {&image, 1});
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().kind, ErrorKind::Path);
+}
+
+TEST_F(ImageFiles, withoutTheWorkerThereIsOneSentence)
+{
+    const Image image = wavyImage(4, 4, TexelType::UInt8, 3);
+    worker = ImageWorker(at("nothing"));
+    const Status status = write(at("a.png"), {&image, 1});
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().kind, ErrorKind::Path);
+    EXPECT_THAT(status.error().message, HasSubstr("cannot be started"));
+}
+
+} // namespace
+} // namespace trixel
