@@ -20,18 +20,17 @@ public:
     HandOffPainter(const HandOffLayout& layout,
                    const FilterScene& scene,
                    const FilterMethod& method,
-                   const TexelFormat& format)
+                   const TexelFormat& format,
+                   const std::vector<ColorSpace>& colors)
         : m_layout(layout)
         , m_scene(scene)
         , m_method(method)
         , m_format(format)
         , m_owners(layout, scene.surface())
+        , m_pages(emptyPages(layout.pages(), format, colors))
     {
-        for (const AtlasPage& page : layout.pages()) {
-            m_pages.push_back({page,
-                               format,
-                               std::vector<std::byte>(std::size_t{page.width} * page.height *
-                                                      format.texelBytes())});
+        for (Image& page : m_pages) {
+            m_pixels.push_back(page.writable());
         }
     }
 
@@ -103,12 +102,16 @@ public:
         }
     }
 
-    std::vector<PageImage> takePages() { return std::move(m_pages); }
+    std::vector<Image> takePages() { return std::move(m_pages); }
 
 private:
     std::span<std::byte> at(FaceId face, HandOffSample sample)
     {
-        return m_pages[m_layout.place(face).page].at(m_layout.pixel(face, sample));
+        const std::uint32_t page = m_layout.place(face).page;
+        const AtlasPixel pixel = m_layout.pixel(face, sample);
+        const std::size_t bytes = m_format.texelBytes();
+        return m_pixels[page].subspan(
+            (std::size_t{pixel.y} * m_layout.pages()[page].width + pixel.x) * bytes, bytes);
     }
     std::vector<float> valueAt(FaceId face, HandOffSample sample)
     {
@@ -173,7 +176,8 @@ private:
     const FilterMethod& m_method;
     TexelFormat m_format;
     HandOffOwners m_owners;
-    std::vector<PageImage> m_pages;
+    std::vector<Image> m_pages;
+    std::vector<std::span<std::byte>> m_pixels; ///< of each page
 };
 
 /// Work on every face, with progress from begin to end. False when cancelled.
@@ -200,16 +204,16 @@ bool forFaces(std::size_t count,
 
 /// Largest difference along the edges of a face, those counted that the other side doesn't.
 double largestJump(const HandOffLayout& layout,
-                   std::span<const PageImage> pages,
+                   std::span<const Image> pages,
                    const Adjacency& adjacency,
                    int pointsPerInterval,
                    FaceId face)
 {
     double largest = 0;
-    std::vector<float> here(pages.empty() ? 0 : pages.front().format.channels);
+    std::vector<float> here(pages.empty() ? 0 : pages.front().format().channels);
     std::vector<float> there(here.size());
     const auto look = [&](FaceId at, glm::dvec2 uv, std::span<float> value) {
-        pages[layout.place(at).page].bilinear(layout.position(at, uv), value);
+        bilinear(pages[layout.place(at).page], layout.position(at, uv), value);
     };
     for (const LocalEdge edge : {LocalEdge::E0, LocalEdge::E1, LocalEdge::E2}) {
         const auto next = adjacency.neighbour(face, edge);
@@ -246,16 +250,17 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
     return intervals;
 }
 
-Result<std::vector<PageImage>> handOffPages(const HandOffLayout& layout,
-                                            const FilterScene& scene,
-                                            const FilterMethod& method,
-                                            const TexelFormat& format,
-                                            Threads threads,
-                                            Progress& progress)
+Result<std::vector<Image>> handOffPages(const HandOffLayout& layout,
+                                        const FilterScene& scene,
+                                        const FilterMethod& method,
+                                        const TexelFormat& format,
+                                        const std::vector<ColorSpace>& colors,
+                                        Threads threads,
+                                        Progress& progress)
 {
     check(layout.faceCount() == scene.faceCount(), "a layout of these faces");
     check(format.channels == scene.channels(), "pixels of as many channels");
-    HandOffPainter painter(layout, scene, method, format);
+    HandOffPainter painter(layout, scene, method, format, colors);
     const std::size_t faces = layout.faceCount();
     StageProgress sampling(progress, 0, 0.9);
     StageProgress vertices(progress, 0.9, 0.92);
@@ -274,7 +279,7 @@ Result<std::vector<PageImage>> handOffPages(const HandOffLayout& layout,
 }
 
 HandOffReport measureHandOff(const HandOffLayout& layout,
-                             std::span<const PageImage> pages,
+                             std::span<const Image> pages,
                              const Adjacency& adjacency,
                              int pointsPerInterval,
                              Threads threads)

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/atlas/handoff_layout.h"
-#include "core/atlas/page_image.h"
+#include "core/atlas/page_pixels.h"
 #include "core/base/parallel.h"
 #include "core/base/progress.h"
 #include "core/filter/filter_method.h"
@@ -30,13 +30,15 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
 /// \param scene   of the faces of the layout (checked)
 /// \param method  what a sample is: its value where the footprint is a point
 /// \param format  of the pixels; as many channels as the scene has (checked)
+/// \param colors  what they mean
 /// Fails only when cancelled. Pixels that no face takes are 0.
-Result<std::vector<PageImage>> handOffPages(const HandOffLayout& layout,
-                                            const FilterScene& scene,
-                                            const FilterMethod& method,
-                                            const TexelFormat& format,
-                                            Threads threads,
-                                            Progress& progress);
+Result<std::vector<Image>> handOffPages(const HandOffLayout& layout,
+                                        const FilterScene& scene,
+                                        const FilterMethod& method,
+                                        const TexelFormat& format,
+                                        const std::vector<ColorSpace>& colors,
+                                        Threads threads,
+                                        Progress& progress);
 
 /// What is said of an atlas before it is handed on.
 struct HandOffReport
@@ -47,7 +49,7 @@ struct HandOffReport
 
 /// Measures pages as a program would show them: at so many points along each shared edge.
 HandOffReport measureHandOff(const HandOffLayout& layout,
-                             std::span<const PageImage> pages,
+                             std::span<const Image> pages,
                              const Adjacency& adjacency,
                              int pointsPerInterval,
                              Threads threads);

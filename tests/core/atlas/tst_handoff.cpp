@@ -24,7 +24,7 @@ struct HandOff
     TexelStore store;
     FilterScene scene;
     HandOffLayout layout;
-    std::vector<PageImage> pages;
+    std::vector<Image> pages;
 
     HandOff(const TriangleMesh& mesh,
             TexelStore texels,
@@ -36,15 +36,20 @@ struct HandOff
     {
         NoProgress progress;
         const TexelFormat format{type, store.format().channels, std::nullopt};
-        pages = *handOffPages(
-            layout, scene, *makeMethod({"exact", std::nullopt}), format, Threads{2}, progress);
+        pages = *handOffPages(layout,
+                              scene,
+                              *makeMethod({"exact", std::nullopt}),
+                              format,
+                              uniformColors(ColorSpace::Raw, format.channels, {}),
+                              Threads{2},
+                              progress);
     }
 
     std::vector<float> value(FaceId face, glm::dvec2 uv) const
     {
-        const PageImage& page = pages[layout.place(face).page];
-        std::vector<float> result(page.format.channels);
-        page.bilinear(layout.position(face, uv), result);
+        const Image& page = pages[layout.place(face).page];
+        std::vector<float> result(page.format().channels);
+        bilinear(page, layout.position(face, uv), result);
         return result;
     }
     double jump() const
@@ -255,8 +260,13 @@ TEST(HandOff, givesUpWhenCancelled)
     const auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(mesh.faceCount(), 2), {});
     for (int reports = 0; reports < 8; ++reports) {
         CancelAfter progress(reports);
-        const auto pages = handOffPages(
-            layout, scene, *makeMethod({"exact", std::nullopt}), kOneFloat, Threads{1}, progress);
+        const auto pages = handOffPages(layout,
+                                        scene,
+                                        *makeMethod({"exact", std::nullopt}),
+                                        kOneFloat,
+                                        {ColorSpace::Raw},
+                                        Threads{1},
+                                        progress);
         ASSERT_FALSE(pages);
         EXPECT_EQ(pages.error().kind, ErrorKind::Cancelled);
     }
