@@ -12,10 +12,7 @@ namespace trixel::render {
 /// A unit vector in 32 bits: its octahedral map, 16 bits each way.
 std::uint32_t packNormal(glm::vec3 normal);
 
-/// Shading normals of the three corners of every face, packed; face f's are at 3f…3f+2.
-/// A corner takes the mean, weighted by angle, of the faces around its vertex that turn from its
-/// own face by less than the crease, so that round parts look smooth and hard edges stay hard.
-/// Degenerate faces get (0,0,1) where nothing better is known.
+/// Those of `trixel::cornerNormals`, packed.
 std::vector<std::uint32_t> cornerNormals(const TriangleMesh& mesh, float creaseDegrees = 50.0F);
 
 } // namespace trixel::render

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces as images that other programs read: packed to the bit, or sampled anew for plain uvs. All
+// files of an export take their names together at its end.
+#pragma once
+
+#include "core/atlas/handoff_layout.h"
+#include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/filter/filter_method.h"
+#include "core/image/color_space.h"
+#include "core/io/image/image_worker.h"
+#include "core/io/project.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trixel {
+
+/// What both kinds of atlas have in common.
+struct AtlasImageOptions
+{
+    /// Of the pages; empty for the one that holds the texels' and that the file can hold.
+    std::optional<TexelType> type;
+    /// What each channel means; empty for sRGB where the texels are integers, linear where not.
+    std::vector<ColorSpace> colors;
+    Threads threads = Threads::all();
+};
+
+struct PackedExportOptions
+{
+    AtlasOptions layout;
+    AtlasImageOptions image;
+};
+
+struct HandOffExportOptions
+{
+    HandOffOptions layout;
+    AtlasImageOptions image;
+    /// What a sample is: the value of this method where the footprint is a point.
+    MethodChoice method{"exact", std::nullopt};
+    /// Ending of the textures beside a mesh: "png", "tif" or "exr". A .glb has PNG in it.
+    std::string imageEnding = "png";
+};
+
+/// What will be written, to be shown before.
+struct AtlasEstimate
+{
+    std::vector<AtlasPage> pages;
+    std::vector<std::string> files; ///< in the order they are written
+    TexelFormat format;             ///< of the pages
+    double occupancy = 1;           ///< useful pixels in parts of all
+    /// The same in the other packing (bands or shelves); packed atlases only.
+    std::optional<double> otherOccupancy;
+
+    std::uint64_t pixels() const;
+    /// In memory; what the file takes depends on how well it compresses.
+    std::uint64_t bytes() const { return pixels() * format.texelBytes(); }
+};
+
+/// What `exportPackedAtlas` would write. Errors: those of its arguments.
+Result<AtlasEstimate> estimatePackedAtlas(const std::filesystem::path& path,
+                                          const Project& project,
+                                          const PackedExportOptions& options);
+
+/// Writes a packed atlas: NAME.exr, .tif or .png (NAME.0, NAME.1 … where there are several pages),
+/// NAME.json with what a shader needs and what `readPackedAtlas` needs, NAME.glsl with the address
+/// function. Errors name the file; nothing that was there is touched then.
+Status exportPackedAtlas(const ImageWorker& worker,
+                         const std::filesystem::path& path,
+                         const Project& project,
+                         const PackedExportOptions& options,
+                         Progress& progress);
+
+/// The faces of a packed atlas, in the type they had when it was written.
+/// \param path  of its JSON file. Errors name the file and the place.
+Result<TexelStore> readPackedAtlas(const ImageWorker& worker,
+                                   const std::filesystem::path& path,
+                                   Threads threads,
+                                   Progress& progress);
+
+/// What `exportHandOff` would write.
+Result<AtlasEstimate> estimateHandOff(const std::filesystem::path& path,
+                                      const Project& project,
+                                      const HandOffExportOptions& options);
+
+/// Of an export that is done.
+struct HandOffOutcome
+{
+    double largestJump = 0; ///< see `HandOffReport`
+};
+
+/// Writes a mesh with uvs and the textures it wears: NAME.glb with all in it, NAME.obj with
+/// NAME.mtl and textures, or NAME.ply (one page only) with its texture.
+Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
+                                     const std::filesystem::path& path,
+                                     const Project& project,
+                                     const HandOffExportOptions& options,
+                                     Progress& progress);
+
+} // namespace trixel
