@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/arguments.h"
 #include "app/cli/file_kind.h"
+#include "app/cli/output.h"
 #include "app/cli/verb.h"
+#include "core/io/atlas/export_atlas.h"
 #include "core/io/new_project.h"
 #include "core/mesh/mesh_reader.h"
 
@@ -20,6 +22,7 @@ struct Arguments
     std::optional<std::string> level;
     std::optional<std::string> density;
     std::optional<std::string> texels;
+    std::optional<std::string> atlas;
     std::string type = "uint8";
     std::string channels = "3";
     std::string fill = "0.8";
@@ -89,6 +92,34 @@ Status checkArguments(const Arguments& arguments)
     return {};
 }
 
+Result<Project>
+filled(const Arguments& arguments, TriangleMesh mesh, const Texture& texture, Progress& progress)
+{
+    const auto plan = planOf(arguments, mesh);
+    return plan ? newProject(std::move(mesh), *plan, texture.format, texture.fill, progress)
+                : tl::unexpected(plan.error());
+}
+
+/// Texels of a packed atlas, on the mesh that it was made of.
+Result<Project> fromAtlas(const std::string& atlas, TriangleMesh mesh, Progress& progress)
+{
+    StageProgress reading(progress, 0, 0.7);
+    auto texels = readPackedAtlas(ImageWorker(), atlas, Threads::all(), reading);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    if (texels->faceCount() != mesh.faceCount()) {
+        return contentsError(atlas + ": it has " + counted(texels->faceCount(), "face") +
+                             ", the mesh " + grouped(mesh.faceCount()));
+    }
+    StageProgress building(progress, 0.7, 1);
+    auto surface = Surface::build(std::move(mesh), building);
+    if (!surface) {
+        return tl::unexpected(surface.error());
+    }
+    return Project{std::move(*surface), std::move(*texels), {}};
+}
+
 Result<Outcome> makeNew(const Arguments& arguments, Progress& progress)
 {
     if (const Status usable = checkArguments(arguments); !usable) {
@@ -103,13 +134,9 @@ Result<Outcome> makeNew(const Arguments& arguments, Progress& progress)
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
-    const auto plan = planOf(arguments, *mesh);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
     StageProgress building(progress, 0.4, 0.7);
-    const auto project =
-        newProject(std::move(*mesh), *plan, texture->format, texture->fill, building);
+    const auto project = arguments.atlas ? fromAtlas(*arguments.atlas, std::move(*mesh), building)
+                                         : filled(arguments, std::move(*mesh), *texture, building);
     if (!project) {
         return tl::unexpected(project.error());
     }
@@ -152,6 +179,15 @@ void addNew(CLI::App& parser, Work& chosen)
         ->type_name("N")
         ->excludes(level)
         ->excludes(density);
+    CLI::Option* atlas =
+        verb->add_option("--atlas",
+                         arguments->atlas,
+                         "Take levels, type and texels from a packed atlas (its .json)")
+            ->type_name("FILE");
+    for (const char* other :
+         {"--level", "--density", "--texels", "--type", "--channels", "--fill"}) {
+        atlas->excludes(verb->get_option(other));
+    }
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return makeNew(*arguments, progress); };
     });
