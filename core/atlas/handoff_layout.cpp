@@ -111,17 +111,33 @@ Result<HandOffLayout> HandOffLayout::plan(FaceMap<std::uint32_t> intervals,
     return layout;
 }
 
+HandOffSample turned(HandOffSample sample, std::uint8_t turn, int intervals)
+{
+    const int k = intervals - sample.i - sample.j;
+    return turn == 0 ? sample : turn == 1 ? HandOffSample{sample.j, k} : HandOffSample{k, sample.i};
+}
+
+HandOffSample turnedBack(HandOffSample sample, std::uint8_t turn, int intervals)
+{
+    return turned(sample, static_cast<std::uint8_t>((3 - turn) % 3), intervals);
+}
+
 AtlasPixel HandOffLayout::pixel(FaceId face, HandOffSample sample) const
 {
     const HandOffPlace& at = m_places[face];
-    const AtlasPixel inTile = tile(face).pixel(at.slot, sample);
+    const HandOffTile in = tile(face);
+    const AtlasPixel inTile = in.pixel(at.slot, turned(sample, at.turn, in.intervals()));
     return {at.origin.x + inTile.x, at.origin.y + inTile.y};
 }
 
 glm::dvec2 HandOffLayout::position(FaceId face, glm::dvec2 uv) const
 {
     const HandOffPlace& at = m_places[face];
-    return glm::dvec2(at.origin.x, at.origin.y) + tile(face).position(at.slot, uv);
+    const double w = 1 - uv.x - uv.y;
+    const glm::dvec2 inTile = at.turn == 0   ? uv
+                              : at.turn == 1 ? glm::dvec2(uv.y, w)
+                                             : glm::dvec2(w, uv.x);
+    return glm::dvec2(at.origin.x, at.origin.y) + tile(face).position(at.slot, inTile);
 }
 
 std::uint64_t HandOffLayout::usefulSamples() const

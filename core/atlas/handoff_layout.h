@@ -24,7 +24,14 @@ struct HandOffPlace
     std::uint32_t page = 0;
     AtlasPixel origin; ///< of its tile
     HandOffSlot slot{};
+    /// Which edge lies along the tile's diagonal: E1, E2 or E0 for 0, 1, 2.
+    std::uint8_t turn = 0;
 };
+
+/// A sample of a face as its tile counts: the face's three coordinates go round.
+HandOffSample turned(HandOffSample sample, std::uint8_t turn, int intervals);
+/// The inverse.
+HandOffSample turnedBack(HandOffSample sample, std::uint8_t turn, int intervals);
 
 class HandOffLayout
 {
@@ -40,6 +47,13 @@ public:
     std::size_t faceCount() const { return m_places.size(); }
     HandOffTile tile(FaceId face) const { return {m_intervals[face], m_options.padding}; }
     const HandOffPlace& place(FaceId face) const { return m_places[face]; }
+
+    /// Lays another edge along the diagonal. \param turn  0, 1 or 2 (checked)
+    void setTurn(FaceId face, std::uint8_t turn)
+    {
+        check(turn < 3, "a turn of a triangle");
+        m_places[face].turn = turn;
+    }
 
     /// Where a sample is stored in the face's page.
     AtlasPixel pixel(FaceId face, HandOffSample sample) const;

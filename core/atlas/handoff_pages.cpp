@@ -17,7 +17,7 @@ namespace {
 class HandOffPainter
 {
 public:
-    HandOffPainter(const HandOffLayout& layout,
+    HandOffPainter(HandOffLayout& layout,
                    const FilterScene& scene,
                    const FilterMethod& method,
                    const TexelFormat& format,
@@ -78,6 +78,34 @@ public:
         }
     }
 
+    /// Lays the edge along the diagonal that suits it best.
+    void turn(FaceId face)
+    {
+        std::uint8_t best = 0;
+        for (const std::uint8_t turn : {std::uint8_t{1}, std::uint8_t{2}}) {
+            best = excess(face, turn) < excess(face, best) ? turn : best;
+        }
+        if (best == 0) {
+            return;
+        }
+        const int n = m_layout.tile(face).intervals();
+        std::vector<std::byte> samples;
+        for (int j = 0; j <= n; ++j) {
+            for (int i = 0; i + j <= n; ++i) {
+                const auto sample = at(face, {i, j});
+                samples.insert(samples.end(), sample.begin(), sample.end());
+            }
+        }
+        m_layout.setTurn(face, best);
+        const std::byte* from = samples.data();
+        for (int j = 0; j <= n; ++j) {
+            for (int i = 0; i + j <= n; ++i) {
+                std::copy_n(from, m_format.texelBytes(), at(face, {i, j}).data());
+                from += m_format.texelBytes();
+            }
+        }
+    }
+
     /// What lies next to the diagonal, so that it interpolates as straight as the other edges.
     void straighten(FaceId face)
     {
@@ -96,7 +124,8 @@ public:
                 const bool isOwn = i >= 0 && j >= 0 && i + j <= n;
                 const bool isStraight = i >= 1 && j >= 1 && i + j == n + 1;
                 if (!isOwn && !isStraight) {
-                    std::ranges::copy(nearestOwn(face, {i, j}), at(face, {i, j}).begin());
+                    const HandOffSample sample = ofFace(face, {i, j});
+                    std::ranges::copy(nearestOwn(face, sample), at(face, sample).begin());
                 }
             }
         }
@@ -140,25 +169,62 @@ private:
         }
     }
 
-    /// f(i,j) = f(i,j-1) + f(i-1,j) - f(i-1,j-1) makes the bilinear cell across the diagonal flat.
-    /// Where the type cannot hold that (beyond 1, next to a hard edge), the sample opposite takes
-    /// up the rest, unless it is itself of an edge.
-    void goOnStraight(FaceId face, HandOffSample sample)
+    /// A sample as the face counts, given as its tile does.
+    HandOffSample ofFace(FaceId face, HandOffSample inTile) const
     {
-        const HandOffSample opposite{sample.i - 1, sample.j - 1};
-        const std::vector<float> left = valueAt(face, {sample.i - 1, sample.j});
-        const std::vector<float> below = valueAt(face, {sample.i, sample.j - 1});
-        std::vector<float> value = valueAt(face, opposite);
-        for (std::size_t c = 0; c < value.size(); ++c) {
-            value[c] = left[c] + below[c] - value[c];
+        return turnedBack(inTile, m_layout.place(face).turn, m_layout.tile(face).intervals());
+    }
+
+    /// f(i,j) = f(i,j-1) + f(i-1,j) - f(i-1,j-1), in the tile, makes the bilinear cell across the
+    /// diagonal flat.
+    std::vector<float> straightOn(FaceId face, HandOffSample inTile, std::uint8_t turn)
+    {
+        const int n = m_layout.tile(face).intervals();
+        const auto value = [&](int i, int j) {
+            return valueAt(face, turnedBack({inTile.i + i, inTile.j + j}, turn, n));
+        };
+        std::vector<float> sum = value(-1, 0);
+        const std::vector<float> below = value(0, -1);
+        const std::vector<float> opposite = value(-1, -1);
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+            sum[c] += below[c] - opposite[c];
         }
-        encode(m_format.type, value, at(face, sample));
-        if (opposite.i >= 1 && opposite.j >= 1) {
-            value = valueAt(face, sample);
-            for (std::size_t c = 0; c < value.size(); ++c) {
-                value[c] = left[c] + below[c] - value[c];
+        return sum;
+    }
+
+    /// By how much a diagonal would miss going on straight at its ends, where nothing can take up
+    /// what the type cannot hold. \pre the face is not turned yet
+    float excess(FaceId face, std::uint8_t turn)
+    {
+        if (m_format.type == TexelType::Half || m_format.type == TexelType::Float) {
+            return 0;
+        }
+        const int n = m_layout.tile(face).intervals();
+        float largest = 0;
+        for (const HandOffSample end : {HandOffSample{1, n}, HandOffSample{n, 1}}) {
+            for (const float wanted : straightOn(face, end, turn)) {
+                largest = std::max(largest, std::abs(wanted - std::clamp(wanted, 0.0F, 1.0F)));
             }
-            encode(m_format.type, value, at(face, opposite));
+        }
+        return largest;
+    }
+
+    /// Where the type cannot hold what would go on straight (beyond 1, next to a hard edge), the
+    /// sample opposite takes up the rest, unless it is itself of an edge.
+    void goOnStraight(FaceId face, HandOffSample inTile)
+    {
+        const std::uint8_t turn = m_layout.place(face).turn;
+        const std::vector<float> wanted = straightOn(face, inTile, turn);
+        const HandOffSample sample = ofFace(face, inTile);
+        encode(m_format.type, wanted, at(face, sample));
+        if (inTile.i >= 2 && inTile.j >= 2) {
+            const std::vector<float> got = valueAt(face, sample);
+            const HandOffSample opposite = ofFace(face, {inTile.i - 1, inTile.j - 1});
+            std::vector<float> moved = valueAt(face, opposite);
+            for (std::size_t c = 0; c < moved.size(); ++c) {
+                moved[c] += wanted[c] - got[c];
+            }
+            encode(m_format.type, moved, at(face, opposite));
         }
     }
 
@@ -171,7 +237,7 @@ private:
         return at(place.face, nearestSample(place.uv, m_layout.tile(place.face).intervals()));
     }
 
-    const HandOffLayout& m_layout;
+    HandOffLayout& m_layout;
     const FilterScene& m_scene;
     const FilterMethod& m_method;
     TexelFormat m_format;
@@ -250,7 +316,7 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
     return intervals;
 }
 
-Result<std::vector<Image>> handOffPages(const HandOffLayout& layout,
+Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
                                         const FilterScene& scene,
                                         const FilterMethod& method,
                                         const TexelFormat& format,
@@ -264,13 +330,15 @@ Result<std::vector<Image>> handOffPages(const HandOffLayout& layout,
     const std::size_t faces = layout.faceCount();
     StageProgress sampling(progress, 0, 0.9);
     StageProgress vertices(progress, 0.9, 0.92);
-    StageProgress edges(progress, 0.92, 0.96);
+    StageProgress edges(progress, 0.92, 0.95);
+    StageProgress turns(progress, 0.95, 0.96);
     StageProgress diagonals(progress, 0.96, 0.98);
     StageProgress padding(progress, 0.98, 1);
     // Each step reads what the ones before have written.
     if (!forFaces(faces, threads, sampling, [&](FaceId face) { painter.sample(face); }) ||
         !forFaces(faces, threads, vertices, [&](FaceId face) { painter.copyVertices(face); }) ||
         !forFaces(faces, threads, edges, [&](FaceId face) { painter.copyEdges(face); }) ||
+        !forFaces(faces, threads, turns, [&](FaceId face) { painter.turn(face); }) ||
         !forFaces(faces, threads, diagonals, [&](FaceId face) { painter.straighten(face); }) ||
         !forFaces(faces, threads, padding, [&](FaceId face) { painter.pad(face); })) {
         return cancelled();

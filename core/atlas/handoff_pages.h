@@ -26,13 +26,14 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
                                         const FilterSurface& surface,
                                         const HandOffOptions& options);
 
-/// Samples every face.
+/// Samples every face, and turns each so that its diagonal goes on straight within what the type
+/// can hold, if it can.
 /// \param scene   of the faces of the layout (checked)
 /// \param method  what a sample is: its value where the footprint is a point
 /// \param format  of the pixels; as many channels as the scene has (checked)
 /// \param colors  what they mean
 /// Fails only when cancelled. Pixels that no face takes are 0.
-Result<std::vector<Image>> handOffPages(const HandOffLayout& layout,
+Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
                                         const FilterScene& scene,
                                         const FilterMethod& method,
                                         const TexelFormat& format,

@@ -90,7 +90,7 @@ FaceMap<FaceUvs> uvsOf(const HandOffLayout& layout)
 }
 
 Result<std::vector<Image>> drawPages(const Project& project,
-                                     const HandOffPlan& plan,
+                                     HandOffPlan& plan,
                                      const HandOffExportOptions& options,
                                      Progress& progress)
 {
@@ -195,7 +195,7 @@ Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
                                      const HandOffExportOptions& options,
                                      Progress& progress)
 {
-    const auto plan = planHandOff(path, project, options);
+    auto plan = planHandOff(path, project, options);
     if (!plan) {
         return tl::unexpected(plan.error());
     }

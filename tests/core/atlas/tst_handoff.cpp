@@ -211,6 +211,18 @@ TEST(HandOff, contentIsShownAsExactDoesEvenInEightBits)
     EXPECT_LE(255 * even.jump(), 2);
 }
 
+/// Small faces next to hard edges: three pixels go on to beyond 1, which eight bits cannot hold.
+TEST(HandOff, facesTurnSoThatEightBitsSufficeAtTheEndsOfTheirDiagonals)
+{
+    const TriangleMesh mesh = closedIrregular(6, 8);
+    const FaceMap<Level> levels(mesh.faceCount(), Level(2));
+    const HandOff checks(mesh,
+                         filledStore(mesh, levels, checkerContent(0.4), 3),
+                         HandOffOptions{},
+                         TexelType::UInt8);
+    EXPECT_LE(255 * checks.jump(), 2);
+}
+
 TEST(HandOff, aFaceThatIsOneValueWithAllAboutItTakesOneInterval)
 {
     const TriangleMesh mesh = flatPatch(6);
@@ -257,7 +269,7 @@ TEST(HandOff, givesUpWhenCancelled)
     const TriangleMesh mesh = flatPatch(2);
     const FilterScene scene = sceneOf(
         surfaceOf(mesh), filledStore(mesh, FaceMap<Level>(mesh.faceCount()), noiseContent(1)));
-    const auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(mesh.faceCount(), 2), {});
+    auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(mesh.faceCount(), 2), {});
     for (int reports = 0; reports < 8; ++reports) {
         CancelAfter progress(reports);
         const auto pages = handOffPages(layout,
