@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Atlases and meshes with uvs, out of the built program and back.
+#include "tests/app/cli_test.h"
+
+namespace trixel::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class CliExport : public CommandLine
+{
+protected:
+    std::string painted() const
+    {
+        const std::string to = path("painted.trixel");
+        EXPECT_THAT(runTrixel({"paint", project(), "--strokes", strokes(), "-o", to}), EndsWith(0));
+        return to;
+    }
+};
+
+TEST_F(CliExport, aPackedAtlasComesBackAsTheSameProject)
+{
+    const std::string from = painted();
+    for (const char* name : {"a.png", "b.exr"}) {
+        const std::string stem = std::string(1, name[0]);
+        ASSERT_THAT(runTrixel({"export", from, "-o", path(name), "--mips"}), EndsWith(0));
+        EXPECT_THAT(files(),
+                    testing::IsSupersetOf({name + std::string(), stem + ".json", stem + ".glsl"}));
+        ASSERT_THAT(runTrixel({"new",
+                               path("mesh.obj"),
+                               "-o",
+                               path("back.trixel"),
+                               "--atlas",
+                               path(stem + ".json")}),
+                    EndsWith(0));
+        ASSERT_THAT(runTrixel({"export", path("back.trixel"), "-o", path("back.ptx")}),
+                    EndsWith(0));
+        ASSERT_THAT(runTrixel({"export", from, "-o", path("from.ptx")}), EndsWith(0));
+        const auto difference =
+            jsonOf(runTrixel({"diff", path("from.ptx"), path("back.ptx"), "--json"}).out);
+        EXPECT_THAT(difference["faces"], testing::IsEmpty()) << difference;
+    }
+}
+
+TEST_F(CliExport, sizesAreSaidBeforeAnythingIsWritten)
+{
+    const std::string from = painted();
+    const auto before = files();
+    const ProgramRun run = runTrixel({"export", from, "-o", path("a.tif"), "--estimate", "--json"});
+    ASSERT_THAT(run, EndsWith(0));
+    const auto json = jsonOf(run.out);
+    EXPECT_EQ(json["pages"], nlohmann::json({{40, 40}}));
+    EXPECT_EQ(json["bytes"], 40 * 40 * 3);
+    EXPECT_DOUBLE_EQ(json["occupancy"], 4 * 256 / 1600.0);
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliExport, meshesLeaveWithUvsAndTextures)
+{
+    const std::string from = painted();
+    for (const char* name : {"a.glb", "b.obj", "c.ply"}) {
+        const ProgramRun run = runTrixel({"export", from, "-o", path(name), "--power-of-two"});
+        ASSERT_THAT(run, EndsWith(0));
+        EXPECT_THAT(run.out, AllOf(HasSubstr("128 × 64 pixels"), HasSubstr("largest jump")));
+    }
+    EXPECT_THAT(files(),
+                testing::IsSupersetOf({"a.glb", "b.mtl", "b.obj", "b.png", "c.ply", "c.png"}));
+}
+
+TEST_F(CliExport, whatMeansNothingForTheOutputIsRefused)
+{
+    const std::string from = project();
+    const auto before = files();
+    const auto refuses = [&](std::vector<std::string> options, const std::string& name) {
+        options.insert(options.begin(), {"export", from, "-o", path(name)});
+        return runTrixel(options);
+    };
+    EXPECT_THAT(refuses({"--mips"}, "a.glb"), FailsWith(2, "--mips: means nothing for"));
+    EXPECT_THAT(refuses({"--samples", "2"}, "a.exr"), FailsWith(2, "--samples"));
+    EXPECT_THAT(refuses({"--page", "512"}, "a.ptx"), FailsWith(2, "--page"));
+    EXPECT_THAT(refuses({}, "a.jpg"), FailsWith(2, "expected .ptx, a packed atlas"));
+    EXPECT_THAT(refuses({"--packing", "tight"}, "a.exr"),
+                FailsWith(2, "--packing: expected bands or shelves, found tight"));
+    EXPECT_THAT(refuses({"--page", "0"}, "a.exr"), FailsWith(2, "--page"));
+    EXPECT_THAT(refuses({"--page", "16"}, "a.exr"), FailsWith(2, "needs pages of 20 pixels"));
+    EXPECT_THAT(refuses({"--colors", "red"}, "a.exr"), FailsWith(2, "--colors"));
+    EXPECT_THAT(refuses({"--type", "half"}, "a.png"), FailsWith(2, "a PNG holds"));
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(CliExport, anAtlasOfAnotherMeshIsRefused)
+{
+    ASSERT_THAT(runTrixel({"export", project(), "-o", path("a.png")}), EndsWith(0));
+    const std::string other = write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_THAT(runTrixel({"new", other, "-o", path("b.trixel"), "--atlas", path("a.json")}),
+                FailsWith(2, "it has 4 faces, the mesh 1"));
+}
+
+} // namespace
+} // namespace trixel::test
