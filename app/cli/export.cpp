@@ -3,16 +3,18 @@
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
-#include "core/io/atlas/export_atlas.h"
+#include "core/io/export_project.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <variant>
 
 namespace trixel::app {
 namespace {
@@ -35,6 +37,8 @@ struct Arguments
     std::optional<std::string> padding;
     std::optional<std::string> image;
     bool powerOfTwo = false;
+    std::optional<std::string> faces;
+    std::optional<std::string> channels;
     bool estimate = false;
     bool json = false;
 };
@@ -227,24 +231,116 @@ void print(const AtlasEstimate& estimate, bool asJson)
     }
 }
 
-Result<Outcome>
-writeAtlas(const Arguments& arguments, Target target, Options options, Progress& progress)
+/// "0,2" or "3-9,12": whole numbers and ranges of them, ascending, each once.
+Result<std::vector<std::int64_t>> numbersOf(const char* option, const std::string& text)
+{
+    std::vector<std::int64_t> numbers;
+    constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string item = text.substr(begin, end - begin);
+        const std::size_t dash = item.find('-');
+        const auto first = wholeNumber(option, item.substr(0, dash), 0, kMost);
+        const auto last = dash == std::string::npos
+                              ? first
+                              : wholeNumber(option, item.substr(dash + 1), 0, kMost);
+        if (!first || !last) {
+            return tl::unexpected(first ? last.error() : first.error());
+        }
+        constexpr std::int64_t kMostNumbers = std::int64_t{1} << 28U;
+        if (*last < *first || *last - *first > kMostNumbers) {
+            return contentsError(std::string(option) + ": expected numbers and ranges, as in " +
+                                 "0-9,12, found " + item);
+        }
+        for (std::int64_t k = *first; k <= *last; ++k) {
+            numbers.push_back(k);
+        }
+        begin = end + 1;
+    }
+    return numbers;
+}
+
+Result<ProjectPart> projectPart(const Arguments& arguments)
+{
+    ProjectPart part;
+    if (arguments.faces) {
+        auto faces = numbersOf("--faces", *arguments.faces);
+        if (!faces) {
+            return tl::unexpected(faces.error());
+        }
+        std::ranges::sort(*faces);
+        const auto repeated = std::ranges::unique(*faces);
+        faces->erase(repeated.begin(), repeated.end());
+        for (const std::int64_t face : *faces) {
+            part.faces.push_back(faceId(static_cast<std::size_t>(face)));
+        }
+    }
+    if (arguments.channels) {
+        const auto channels = numbersOf("--channels", *arguments.channels);
+        if (!channels) {
+            return tl::unexpected(channels.error());
+        }
+        if (channels->size() > TexelFormat::kMaxChannels) {
+            return contentsError("--channels: expected at most 1,024 of them");
+        }
+        for (const std::int64_t channel : *channels) {
+            part.channels.push_back(static_cast<std::uint16_t>(
+                std::min<std::int64_t>(channel, std::numeric_limits<std::uint16_t>::max())));
+        }
+    }
+    return part;
+}
+
+/// What is said before an atlas is written.
+Result<AtlasEstimate> estimateOf(const ExportRequest& request, const Project& part)
+{
+    const auto* packed = std::get_if<PackedExportOptions>(&request.options);
+    return packed != nullptr ? estimatePackedAtlas(request.path, part, *packed)
+                             : estimateHandOff(request.path,
+                                               part,
+                                               std::get<HandOffExportOptions>(request.options));
+}
+
+ExportOptions chosenOptions(Target target, Options options)
+{
+    return target == Target::Ptx      ? ExportOptions(PtxExportOptions())
+           : target == Target::Packed ? ExportOptions(std::move(options.packed))
+                                      : ExportOptions(std::move(options.handOff));
+}
+
+Result<Outcome> exportPart(const Arguments& arguments, ExportRequest request, Progress& progress)
 {
     StageProgress opening(progress, 0, 0.2);
-    const auto project = openPainted(arguments.project, opening);
+    auto project = openPainted(arguments.project, opening);
     if (!project) {
         return tl::unexpected(project.error());
     }
+    const bool isAtlas = !std::holds_alternative<PtxExportOptions>(request.options);
+    StageProgress writing(progress, 0.2, 1);
+    if (!isAtlas) {
+        return exportProject(ImageWorker(), *project, request, writing)
+            .map([](const ExportOutcome&) { return Outcome::Done; });
+    }
+    NoProgress ignored;
+    auto part = partOf(*project, request.part, Threads::all(), ignored);
+    if (!part) {
+        return prefixed(arguments.project, part.error());
+    }
+    request.part = {};
     if (arguments.colors) {
-        const auto colors = colorsOf(*arguments.colors, project->texels.format());
+        const auto colors = colorsOf(*arguments.colors, part->texels.format());
         if (!colors) {
             return tl::unexpected(colors.error());
         }
-        options.packed.image.colors = options.handOff.image.colors = *colors;
+        std::visit(
+            [&](auto& options) {
+                if constexpr (requires { options.image; }) {
+                    options.image.colors = *colors;
+                }
+            },
+            request.options);
     }
-    const auto estimate = target == Target::Packed
-                              ? estimatePackedAtlas(arguments.output, *project, options.packed)
-                              : estimateHandOff(arguments.output, *project, options.handOff);
+    const auto estimate = estimateOf(request, *part);
     if (!estimate) {
         return tl::unexpected(estimate.error());
     }
@@ -252,36 +348,17 @@ writeAtlas(const Arguments& arguments, Target target, Options options, Progress&
     if (arguments.estimate) {
         return Outcome::Done;
     }
-    StageProgress writing(progress, 0.2, 1);
-    const ImageWorker worker;
-    if (target == Target::Packed) {
-        return exportPackedAtlas(worker, arguments.output, *project, options.packed, writing)
-            .map([] { return Outcome::Done; });
-    }
-    return exportHandOff(worker, arguments.output, *project, options.handOff, writing)
-        .map([&](const HandOffOutcome& outcome) {
-            if (!arguments.json) {
+    return exportProject(ImageWorker(), *part, request, writing)
+        .map([&](const ExportOutcome& outcome) {
+            if (outcome.largestJump && !arguments.json) {
                 std::printf("largest jump across an edge: %.2f of 255\n",
-                            255 * outcome.largestJump);
+                            255 * *outcome.largestJump);
             }
             return Outcome::Done;
         });
 }
 
-Result<Outcome> writePtx(const Arguments& arguments, Progress& progress)
-{
-    StageProgress opening(progress, 0, 0.3);
-    const auto project = openPainted(arguments.project, opening);
-    if (!project) {
-        return tl::unexpected(project.error());
-    }
-    StageProgress writing(progress, 0.3, 1);
-    return exportPtx(arguments.output, *project, PtxWriteOptions{}, writing).map([] {
-        return Outcome::Done;
-    });
-}
-
-Result<Outcome> exportProject(const Arguments& arguments, Progress& progress)
+Result<Outcome> exportAs(const Arguments& arguments, Progress& progress)
 {
     const auto target = targetOf(arguments.output);
     if (!target) {
@@ -290,12 +367,13 @@ Result<Outcome> exportProject(const Arguments& arguments, Progress& progress)
     if (const Status usable = checkOptions(arguments, *target); !usable) {
         return tl::unexpected(usable.error());
     }
-    if (*target == Target::Ptx) {
-        return writePtx(arguments, progress);
-    }
     const auto options = optionsOf(arguments);
-    return options ? writeAtlas(arguments, *target, *options, progress)
-                   : tl::unexpected(options.error());
+    const auto part = projectPart(arguments);
+    if (!options || !part) {
+        return tl::unexpected(options ? part.error() : options.error());
+    }
+    return exportPart(
+        arguments, {arguments.output, chosenOptions(*target, *options), *part}, progress);
 }
 
 void addAtlasOptions(CLI::App& verb, Arguments& arguments)
@@ -355,9 +433,13 @@ void addExport(CLI::App& parser, Work& chosen)
                      ".glb, .obj or .ply for a mesh with uvs and textures")
         ->required()
         ->type_name("FILE");
+    verb->add_option("--faces", arguments->faces, "Only these, as in 0-99,120; else all")
+        ->type_name("N,N-N,...");
+    verb->add_option("--channels", arguments->channels, "Only these, from 0; else all")
+        ->type_name("N,N,...");
     addAtlasOptions(*verb, *arguments);
     verb->callback([arguments, &chosen] {
-        chosen = [arguments](Progress& progress) { return exportProject(*arguments, progress); };
+        chosen = [arguments](Progress& progress) { return exportAs(*arguments, progress); };
     });
 }
 

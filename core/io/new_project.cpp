@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/new_project.h"
 
+#include "core/io/project_metadata.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 namespace trixel {
 namespace {
 
-constexpr const char* kFillKey = "TrixelFill";
 
 std::vector<std::byte> encoded(const TexelFormat& format, std::span<const float> values)
 {

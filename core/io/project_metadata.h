@@ -18,6 +18,8 @@ inline constexpr const char* kVertexIndicesKey = "PtexFaceVertIndices";
 inline constexpr const char* kVertexPositionsKey = "PtexVertPositions";
 inline constexpr const char* kProjectVersionKey = "TrixelProject";
 inline constexpr const char* kSourceFacesKey = "TrixelSourceFaces";
+/// The values of one texel before anything was painted.
+inline constexpr const char* kFillKey = "TrixelFill";
 /// The text of a cameras file: the project's bookmarked views.
 inline constexpr const char* kViewsKey = "TrixelViews";
 

@@ -91,6 +91,25 @@ TEST_F(CliExport, whatMeansNothingForTheOutputIsRefused)
     EXPECT_EQ(files(), before);
 }
 
+TEST_F(CliExport, partsOfAProjectLeaveAlone)
+{
+    const std::string from = painted();
+    ASSERT_THAT(
+        runTrixel({"export", from, "-o", path("a.ptx"), "--faces", "1-2", "--channels", "0"}),
+        EndsWith(0));
+    const auto info = jsonOf(runTrixel({"info", path("a.ptx"), "--json"}).out);
+    EXPECT_EQ(info["faces"], 2);
+    EXPECT_EQ(info["channels"], 1);
+    ASSERT_THAT(runTrixel({"export", from, "-o", path("a.png"), "--faces", "3,1"}), EndsWith(0));
+    EXPECT_THAT(runTrixel({"export", from, "-o", path("b.ptx"), "--faces", "4"}),
+                FailsWith(2, "there is no face 4: 4 faces"));
+    EXPECT_THAT(runTrixel({"export", from, "-o", path("b.png"), "--channels", "3"}),
+                FailsWith(2, "there is no channel 3: 3 channels"));
+    EXPECT_THAT(runTrixel({"export", from, "-o", path("b.png"), "--faces", "2-1"}),
+                FailsWith(2, "--faces"));
+    EXPECT_THAT(files(), testing::Not(testing::Contains("b.png")));
+}
+
 TEST_F(CliExport, anAtlasOfAnotherMeshIsRefused)
 {
     ASSERT_THAT(runTrixel({"export", project(), "-o", path("a.png")}), EndsWith(0));

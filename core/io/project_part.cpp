@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/project_part.h"
+
+#include "core/io/project_metadata.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace trixel {
+
+namespace {
+
+Status checkPart(const Project& project, const ProjectPart& part)
+{
+    for (const FaceId face : part.faces) {
+        if (indexOf(face) >= project.texels.faceCount()) {
+            return contentsError("there is no face " + std::to_string(indexOf(face)) + ": " +
+                                 std::to_string(project.texels.faceCount()) + " faces");
+        }
+    }
+    for (const std::uint16_t channel : part.channels) {
+        if (channel >= project.texels.format().channels) {
+            return contentsError("there is no channel " + std::to_string(channel) + ": " +
+                                 std::to_string(project.texels.format().channels) + " channels");
+        }
+    }
+    return {};
+}
+
+TriangleMesh meshOfFaces(const TriangleMesh& whole, std::span<const FaceId> faces)
+{
+    constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> numbers(whole.positions.size(), kUnused);
+    for (const FaceId face : faces) {
+        for (const std::uint32_t vertex : whole.triangles[indexOf(face)]) {
+            numbers[vertex] = 0;
+        }
+    }
+    TriangleMesh mesh;
+    for (std::size_t v = 0; v < numbers.size(); ++v) {
+        if (numbers[v] != kUnused) {
+            numbers[v] = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.push_back(whole.positions[v]);
+        }
+    }
+    for (const FaceId face : faces) {
+        const Triangle& t = whole.triangles[indexOf(face)];
+        mesh.triangles.push_back({numbers[t[0]], numbers[t[1]], numbers[t[2]]});
+        if (!whole.sourceFaces.empty()) {
+            mesh.sourceFaces.push_back(whole.sourceFace(face));
+        }
+    }
+    return mesh;
+}
+
+TexelStore texelsOf(const TexelStore& whole, std::span<const FaceId> faces)
+{
+    const std::vector<std::byte> none(whole.format().texelBytes());
+    TexelStore texels(static_cast<std::uint32_t>(faces.size()), whole.format(), Level(), none);
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        texels.exchange(faceId(k), whole.face(faces[k]));
+    }
+    return texels;
+}
+
+FaceTexels channelsOf(const FaceTexels& face,
+                      const TexelFormat& format,
+                      std::span<const std::uint16_t> channels)
+{
+    const std::size_t value = byteSize(format.type);
+    const std::size_t count = face.byteCount() / format.texelBytes();
+    std::vector<std::byte> picked(count * channels.size() * value);
+    std::byte* to = picked.data();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::byte* texel = face.bytes().data() + k * format.texelBytes();
+        for (const std::uint16_t channel : channels) {
+            std::memcpy(to, texel + channel * value, value);
+            to += value;
+        }
+    }
+    return face.isConstant() ? FaceTexels::constant(face.level(), picked)
+                             : FaceTexels::full(face.level(), channels.size() * value, picked);
+}
+
+Result<TexelStore> withChannels(const TexelStore& texels,
+                                const std::vector<std::uint16_t>& channels,
+                                Threads threads,
+                                Progress& progress)
+{
+    const TexelFormat& format = texels.format();
+    TexelFormat picked{format.type, static_cast<std::uint16_t>(channels.size()), std::nullopt};
+    if (format.alpha) {
+        const auto alpha = std::ranges::find(channels, *format.alpha);
+        if (alpha != channels.end()) {
+            picked.alpha = static_cast<std::uint16_t>(alpha - channels.begin());
+        }
+    }
+    return texels.transformed(
+        picked,
+        [&](const FaceTexels& face) { return channelsOf(face, format, channels); },
+        threads,
+        progress);
+}
+
+} // namespace
+
+Result<Project>
+partOf(const Project& project, const ProjectPart& part, Threads threads, Progress& progress)
+{
+    if (const Status usable = checkPart(project, part); !usable) {
+        return tl::unexpected(usable.error());
+    }
+    Project result = project;
+    StageProgress building(progress, 0, 0.5);
+    if (!part.faces.empty()) {
+        auto surface = Surface::build(meshOfFaces(project.surface->mesh(), part.faces), building);
+        if (!surface) {
+            return tl::unexpected(surface.error());
+        }
+        result.surface = std::move(*surface);
+        result.texels = texelsOf(project.texels, part.faces);
+    }
+    if (!part.channels.empty()) {
+        StageProgress picking(progress, 0.5, 1);
+        auto texels = withChannels(result.texels, part.channels, threads, picking);
+        if (!texels) {
+            return tl::unexpected(texels.error());
+        }
+        result.texels = std::move(*texels);
+        std::erase_if(result.metadata,
+                      [](const PtxMetadata& item) { return item.key == kFillKey; });
+    }
+    return result;
+}
+
+} // namespace trixel

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/new_project.h"
+#include "core/io/project_part.h"
+#include "tests/core/test_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+using namespace trixel;
+using namespace trixel::test;
+
+namespace {
+
+Project numbered()
+{
+    NoProgress progress;
+    const std::array<float, 4> fill = {0.25F, 0.5F, 0.75F, 1};
+    Project project = *newProject(sphereMesh(1),
+                                  planUniform(80, Level(2)),
+                                  TexelFormat{TexelType::UInt8, 4, 3},
+                                  fill,
+                                  progress);
+    for (std::size_t f = 0; f < 80; f += 2) {
+        std::uint8_t next = static_cast<std::uint8_t>(f);
+        for (std::byte& value : project.texels.writable(faceId(f))) {
+            value = std::byte{next++};
+        }
+    }
+    return project;
+}
+
+TEST(ProjectPart, facesKeepTheirOrderCornersAndTexels)
+{
+    const Project whole = numbered();
+    const std::vector<FaceId> faces = {faceId(3), faceId(40), faceId(41), faceId(79)};
+    NoProgress progress;
+    const auto part = partOf(whole, {faces, {}}, Threads{1}, progress);
+    ASSERT_TRUE(part);
+    ASSERT_EQ(part->texels.faceCount(), 4U);
+    const TriangleMesh& mesh = part->surface->mesh();
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        EXPECT_EQ(mesh.corners(faceId(k)), whole.surface->mesh().corners(faces[k]));
+        EXPECT_EQ(part->texels.face(faceId(k)), whole.texels.face(faces[k]));
+    }
+    EXPECT_LE(mesh.positions.size(), 12U); // no others
+}
+
+TEST(ProjectPart, channelsArePickedInTheOrderAskedForAndOpacityStaysKnown)
+{
+    const Project whole = numbered();
+    NoProgress progress;
+    const auto part = partOf(whole, {{}, {3, 1}}, Threads{2}, progress);
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->texels.format(), (TexelFormat{TexelType::UInt8, 2, 0}));
+    for (const std::size_t f : {0U, 1U, 6U}) {
+        const FaceTexels& before = whole.texels.face(faceId(f));
+        const FaceTexels& after = part->texels.face(faceId(f));
+        EXPECT_EQ(after.isConstant(), before.isConstant());
+        for (std::size_t k = 0; k < 16; ++k) {
+            EXPECT_EQ(after.texel(k)[0], before.texel(k)[3]);
+            EXPECT_EQ(after.texel(k)[1], before.texel(k)[1]);
+        }
+    }
+    EXPECT_EQ(fillOf(*part).size(), 2U); // not that of four channels
+}
+
+TEST(ProjectPart, whatDoesNotExistIsNamed)
+{
+    const Project whole = numbered();
+    NoProgress progress;
+    EXPECT_EQ(partOf(whole, {{faceId(80)}, {}}, Threads{1}, progress).error().message,
+              "there is no face 80: 80 faces");
+    EXPECT_EQ(partOf(whole, {{}, {4}}, Threads{1}, progress).error().message,
+              "there is no channel 4: 4 channels");
+}
+
+} // namespace
