@@ -2,58 +2,113 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "ui/dialogs/export_estimate.h"
+#include "ui/dialogs/export_pages.h"
 #include "ui/dialogs/format_choice.h"
 #include "ui/dialogs/path_row.h"
+
+#include <utility>
 
 namespace trixel::ui {
 
 namespace {
 
-constexpr int kWidth = 520;
+constexpr int kWidth = 560;
+/// In the list of presets; the others come from `presets`.
+constexpr int kCustom = 0;
 
-/// The name with ".ptx" behind it if it has no ending of that kind.
-QString withEnding(const QString& path)
+struct Preset
 {
-    return path.endsWith(".ptx", Qt::CaseInsensitive) ? path : path + ".ptx";
+    QString name;
+    QString ending;
+    ExportOptions options;
+};
+
+std::vector<Preset> presets()
+{
+    HandOffExportOptions engine;
+    engine.layout.powerOfTwo = true;
+    engine.layout.padding = 4;
+    HandOffExportOptions painter;
+    PackedExportOptions shader;
+    shader.layout.mips = true;
+    return {{ExportDialog::tr("Renderer: .ptx with reduced levels"),
+             ".ptx",
+             PtxExportOptions{std::nullopt, true}},
+            {ExportDialog::tr("Game engine: .glb, sides powers of two"), ".glb", engine},
+            {ExportDialog::tr("Another program: .obj and PNG"), ".obj", painter},
+            {ExportDialog::tr("Own shader: packed .exr with levels"), ".exr", shader},
+            {ExportDialog::tr("Archive: .ptx, texels alone"),
+             ".ptx",
+             PtxExportOptions{std::nullopt, false}}};
+}
+
+QString endingOf(const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    return ending.isEmpty() ? QString() : "." + (ending == "tiff" ? QString("tif") : ending);
+}
+
+/// "R", "G", "B", "A" where those are what they are.
+QString channelName(std::uint16_t channel, const TexelFormat& format)
+{
+    if (format.alpha == channel) {
+        return ExportDialog::tr("Channel %1, opacity").arg(channel);
+    }
+    const QStringList colors = {
+        ExportDialog::tr("red"), ExportDialog::tr("green"), ExportDialog::tr("blue")};
+    return format.channels >= 3 && channel < 3
+               ? ExportDialog::tr("Channel %1, %2").arg(channel).arg(colors[channel])
+               : ExportDialog::tr("Channel %1").arg(channel);
 }
 
 } // namespace
 
-ExportDialog::ExportDialog(Project project, const QString& path, QWidget* parent)
+ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* parent)
     : QDialog(parent)
-    , m_project(std::move(project))
-    , m_path(new PathRow(PathRow::Purpose::Save, tr("Destination"), tr("Ptex textures (*.ptx)")))
-    , m_type(new TypeChoice)
-    , m_mips(new QCheckBox(tr("Store &reduced levels (mips)")))
+    , m_source(std::move(source))
+    , m_path(new PathRow(PathRow::Purpose::Save,
+                         tr("Destination"),
+                         tr("Ptex textures (*.ptx);;Packed atlases (*.exr *.tif *.png);;"
+                            "Meshes with uvs (*.glb *.obj *.ply)")))
+    , m_preset(new QComboBox)
+    , m_kind(new QComboBox)
+    , m_pages(new QStackedWidget)
+    , m_selected(new QCheckBox)
+    , m_channel(new QComboBox)
     , m_size(new QLabel)
     , m_note(new QLabel)
 {
-    setWindowTitle(tr("Export Ptex Texture"));
+    setWindowTitle(tr("Export"));
     setMinimumWidth(kWidth);
     auto* layout = new QVBoxLayout(this);
     auto* form = new QFormLayout;
     layout->addLayout(form);
+    form->addRow(tr("&For"), m_preset);
     form->addRow(tr("&Destination"), m_path);
-    form->addRow(tr("&Type"), m_type);
-    form->addRow(QString(), m_mips);
+    form->addRow(tr("&Kind"), m_kind);
+    form->addRow(m_pages);
+    form->addRow(tr("Fa&ces"), m_selected);
+    form->addRow(tr("Cha&nnels"), m_channel);
     form->addRow(tr("Size"), m_size);
     layout->addWidget(m_note);
     layout->addStretch(1);
+    addPages();
+    addPart();
 
-    m_mips->setChecked(true);
-    m_mips->setToolTip(tr("Renderers read reduced levels for far views; a third more texels"));
-    m_mips->setAccessibleName(tr("Store reduced levels"));
     m_size->setAccessibleName(tr("Size estimate"));
-    m_size->setToolTip(tr("Estimated by compressing a sample of the faces"));
+    m_size->setToolTip(tr("Pages, bytes and time; compression is tried on a sample of the faces"));
+    m_size->setWordWrap(true);
     m_note->setWordWrap(true);
     m_note->setToolTip(tr("What is to be known before exporting"));
     m_note->setAccessibleName(tr("Note"));
@@ -61,46 +116,195 @@ ExportDialog::ExportDialog(Project project, const QString& path, QWidget* parent
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
     m_export->setToolTip(
-        tr("Write the file; it is read again and compared before it takes its name"));
+        tr("Write the files; each is read again and compared before it takes its name"));
     m_export->setAccessibleName(tr("Export"));
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Write nothing"));
     layout->addWidget(buttons);
-
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::finish);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_type, &QComboBox::currentIndexChanged, this, &ExportDialog::estimate);
-    connect(m_mips, &QCheckBox::toggled, this, &ExportDialog::estimate);
-    connect(m_path, &PathRow::pathChanged, this, &ExportDialog::checkPath);
-    m_type->setType(m_project.texels.format().type);
+    connectAll();
+    begin(path);
+}
+
+void ExportDialog::addPages()
+{
+    for (ExportPage* page :
+         {static_cast<ExportPage*>(new PtxPage(m_source.project.texels.format().type)),
+          static_cast<ExportPage*>(new PackedPage),
+          static_cast<ExportPage*>(new MeshPage)}) {
+        m_pages->addWidget(page);
+        for (const QString& ending : page->endings()) {
+            m_kind->addItem(page->endings().size() == 1 ? page->title()
+                                                        : tr("%1 (%2)").arg(page->title(), ending),
+                            ending);
+        }
+        connect(page, &ExportPage::changed, this, &ExportDialog::becomeCustom);
+    }
+    m_kind->setAccessibleName(tr("Kind"));
+    m_kind->setToolTip(tr("What the project is written as"));
+    m_preset->addItem(tr("Custom"));
+    for (const Preset& preset : presets()) {
+        m_preset->addItem(preset.name);
+    }
+    m_preset->setAccessibleName(tr("Destination preset"));
+    m_preset->setToolTip(tr("Settings that suit who will read it"));
+}
+
+void ExportDialog::addPart()
+{
+    const std::size_t selected = m_source.selection.size();
+    m_selected->setText(selected == 0 ? tr("Only selected ones (none is)")
+                                      : tr("&Only the %1 selected").arg(countText(selected)));
+    m_selected->setEnabled(selected > 0);
+    m_selected->setAccessibleName(tr("Only selected faces"));
+    m_selected->setToolTip(tr("Leaves other faces out, mesh and texels"));
+    const TexelFormat& format = m_source.project.texels.format();
+    m_channel->addItem(tr("All %1").arg(format.channels), -1);
+    for (std::uint16_t k = 0; k < format.channels; ++k) {
+        m_channel->addItem(channelName(k, format), k);
+    }
+    m_channel->setAccessibleName(tr("Channels"));
+    m_channel->setToolTip(tr("All channels or one alone"));
+}
+
+void ExportDialog::connectAll()
+{
+    connect(m_preset, &QComboBox::currentIndexChanged, this, &ExportDialog::applyPreset);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this](int kind) {
+        chooseKind(kind);
+        becomeCustom();
+    });
+    connect(m_path, &PathRow::pathChanged, this, &ExportDialog::followPath);
+    connect(m_selected, &QCheckBox::toggled, this, &ExportDialog::estimate);
+    connect(m_channel, &QComboBox::currentIndexChanged, this, &ExportDialog::estimate);
+}
+
+void ExportDialog::begin(const QString& path)
+{
+    m_isFilling = true;
     m_path->setPath(path);
+    if (m_source.latest) {
+        const ExportRequest& latest = *m_source.latest;
+        for (int k = 0; k < m_pages->count(); ++k) {
+            static_cast<ExportPage*>(m_pages->widget(k))->setOptions(latest.options);
+        }
+    }
+    m_isFilling = false;
+    followPath();
     estimate();
+}
+
+ExportPage& ExportDialog::page() const
+{
+    return *static_cast<ExportPage*>(m_pages->currentWidget());
+}
+
+QString ExportDialog::pathWithEnding() const
+{
+    const QString path = m_path->path();
+    const QString ending = m_kind->currentData().toString();
+    return path.isEmpty() || endingOf(path) == ending ? path : path + ending;
+}
+
+ExportRequest ExportDialog::request() const
+{
+    const QString ending = m_kind->currentData().toString();
+    ExportRequest request;
+    request.path = QFileInfo(pathWithEnding()).absoluteFilePath().toStdString();
+    request.options = page().options(ending);
+    if (m_selected->isChecked()) {
+        request.part.faces = m_source.selection;
+    }
+    if (const int channel = m_channel->currentData().toInt(); channel >= 0) {
+        request.part.channels = {static_cast<std::uint16_t>(channel)};
+    }
+    return request;
+}
+
+void ExportDialog::applyPreset(int preset)
+{
+    if (m_isFilling || preset == kCustom) {
+        return;
+    }
+    const Preset chosen = presets()[static_cast<std::size_t>(preset - 1)];
+    m_isFilling = true;
+    const int kind = m_kind->findData(chosen.ending);
+    m_kind->setCurrentIndex(kind);
+    chooseKind(kind);
+    page().setOptions(chosen.options);
+    m_isFilling = false;
+    estimate();
+}
+
+/// A known ending that is typed chooses the kind.
+void ExportDialog::followPath()
+{
+    const int kind = m_kind->findData(endingOf(m_path->path()));
+    if (kind >= 0 && kind != m_kind->currentIndex()) {
+        m_kind->setCurrentIndex(kind);
+    }
     checkPath();
+}
+
+void ExportDialog::chooseKind(int kind)
+{
+    const QString ending = m_kind->itemData(kind).toString();
+    for (int k = 0; k < m_pages->count(); ++k) {
+        if (static_cast<ExportPage*>(m_pages->widget(k))->endings().contains(ending)) {
+            m_pages->setCurrentIndex(k);
+        }
+    }
+    changeEnding(ending);
+}
+
+void ExportDialog::changeEnding(const QString& ending)
+{
+    const QString path = m_path->path();
+    const QString now = endingOf(path);
+    if (now != ending && m_kind->findData(now) >= 0) {
+        m_path->setPath(path.chopped(QFileInfo(path).suffix().size() + 1) + ending);
+    }
+    checkPath();
+}
+
+void ExportDialog::becomeCustom()
+{
+    if (m_isFilling) {
+        return;
+    }
+    m_isFilling = true;
+    m_preset->setCurrentIndex(kCustom);
+    m_isFilling = false;
+    estimate();
 }
 
 void ExportDialog::estimate()
 {
+    if (m_isFilling) {
+        return;
+    }
     const quint64 generation = ++m_generation;
     m_size->setText(tr("Estimating…"));
     m_jobs.run(
         tr("Estimating…"),
-        [texels = m_project.texels, type = m_type->type(), mips = m_mips->isChecked()](
-            Progress& /*progress*/) -> Result<ExportEstimate> {
-            return estimatePtx(texels, type, mips);
+        [project = m_source.project, wanted = request()](Progress& progress) {
+            return estimateExport(project, wanted, progress);
         },
-        [this, generation](const Result<ExportEstimate>& estimate) {
-            if (generation != m_generation || !estimate) {
+        [this, generation](const Result<QString>& sentence) {
+            if (generation != m_generation) {
                 return;
             }
-            m_size->setText(
-                tr("about %1, mesh included (texels before compression: %2)")
-                    .arg(sizeText(estimate->likelyBytes), sizeText(estimate->plainBytes)));
+            m_isWritable = sentence.has_value();
+            m_size->setText(sentence ? *sentence
+                                     : QString::fromStdString(sentence.error().message));
+            checkPath();
         });
 }
 
 void ExportDialog::checkPath()
 {
     const QString path = m_path->path();
-    const QFileInfo file(withEnding(path));
+    const QFileInfo file(pathWithEnding());
     QString note;
     bool usable = !path.isEmpty();
     if (usable && file.isDir()) {
@@ -116,14 +320,12 @@ void ExportDialog::checkPath()
         note = tr("%1 exists and will be replaced.").arg(file.fileName());
     }
     m_note->setText(note);
-    m_export->setEnabled(usable);
+    m_export->setEnabled(usable && m_isWritable);
 }
 
 void ExportDialog::finish()
 {
-    emit exportWanted(QFileInfo(withEnding(m_path->path())).absoluteFilePath(),
-                      m_type->type(),
-                      m_mips->isChecked());
+    emit exportWanted(request());
     accept();
 }
 

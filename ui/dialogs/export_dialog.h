@@ -3,43 +3,75 @@
 
 #include <QDialog>
 
-#include "core/io/project.h"
+#include "core/io/export_project.h"
 #include "ui/document/background_job.h"
 
+#include <array>
+
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace trixel::ui {
 
+class ExportPage;
 class PathRow;
-class TypeChoice;
 
-/// Asks how a `.ptx` is to be written, and says beforehand what it will weigh.
+/// What the dialog is about: a snapshot, for the estimate, and what is selected in it.
+struct ExportSource
+{
+    Project project;
+    std::vector<FaceId> selection;
+    /// The latest export of this session, to begin with.
+    std::optional<ExportRequest> latest;
+};
+
+/// Asks what a project is to be written as, and says beforehand what that will weigh. The ending of
+/// the destination and the kind of export follow each other.
 class ExportDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// \param project  a snapshot, for the estimate
-    /// \param path     proposed destination
-    ExportDialog(Project project, const QString& path, QWidget* parent = nullptr);
+    /// \param path  proposed destination
+    ExportDialog(ExportSource source, const QString& path, QWidget* parent = nullptr);
 
 signals:
-    void exportWanted(const QString& path, trixel::TexelType type, bool mips);
+    void exportWanted(const trixel::ExportRequest& request);
 
 private:
+    void addPages();
+    void addPart();
+    void connectAll();
+    void begin(const QString& path);
+    ExportPage& page() const;
+    /// What the controls say now.
+    ExportRequest request() const;
+    QString pathWithEnding() const;
+
+    void applyPreset(int preset);
+    void followPath();
+    void chooseKind(int kind);
+    void changeEnding(const QString& ending);
+    void becomeCustom();
     void estimate();
     void checkPath();
     void finish();
 
-    Project m_project;
+    ExportSource m_source;
     PathRow* m_path;
-    TypeChoice* m_type;
-    QCheckBox* m_mips;
+    QComboBox* m_preset;
+    QComboBox* m_kind;
+    QStackedWidget* m_pages;
+    QCheckBox* m_selected;
+    QComboBox* m_channel;
     QLabel* m_size;
     QLabel* m_note;
     QPushButton* m_export;
+    bool m_isFilling = false; ///< controls are being set, not used
+    bool m_isWritable = true; ///< as the estimate found
     quint64 m_generation = 0;
     BackgroundJobs m_jobs; // last: waits for work before the rest dies
 };

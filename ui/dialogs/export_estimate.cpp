@@ -2,8 +2,16 @@
 #include "ui/dialogs/export_estimate.h"
 
 #include <QByteArray>
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "core/filter/filter_method.h"
+#include "core/mesh/adjacency.h"
+#include "ui/dialogs/format_choice.h"
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -89,6 +97,125 @@ ExportEstimate estimatePtx(const TexelStore& texels, TexelType type, bool mips)
         static_cast<std::uint64_t>(static_cast<double>(estimate.plainBytes - constants) * ratio) +
         texels.faceCount() * kBytesPerFace;
     return estimate;
+}
+
+namespace {
+
+/// Seconds that a byte of noise takes to compress here: what writing images spends most of its time
+/// on. Reading it again takes a fraction of that.
+double secondsPerByte()
+{
+    constexpr qsizetype kBytes = qsizetype{1} << 18;
+    constexpr double kReadAgain = 1.4;
+    QByteArray noise(kBytes, '\0');
+    std::minstd_rand random(1);
+    for (char& byte : noise) {
+        byte = static_cast<char>(random() >> 12U);
+    }
+    QElapsedTimer clock;
+    clock.start();
+    const qsizetype compressed = qCompress(noise, 4).size();
+    return compressed > 0 ? kReadAgain * static_cast<double>(clock.nsecsElapsed()) * 1e-9 / kBytes
+                          : 0;
+}
+
+/// Seconds that a sample of a hand-off atlas takes here: `exact` on a few faces.
+double secondsPerSample(const TexelFormat& format)
+{
+    constexpr std::size_t kSamples = 256;
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {3, 2, 1}};
+    const TexelStore texels(
+        2, format, Level(4), std::vector<std::byte>(format.texelBytes(), std::byte{1}));
+    NoProgress ignored;
+    const auto scene =
+        FilterScene::build(std::make_shared<const FilterSurface>(
+                               FilterSurface::fromMesh(mesh, buildAdjacency(mesh.triangles))),
+                           texels,
+                           Threads{1},
+                           ignored);
+    if (!scene) {
+        return 0;
+    }
+    QueryArrays queries;
+    for (std::size_t k = 0; k < kSamples; ++k) {
+        queries.add(FaceId{0}, {0.3F, static_cast<float>(k) / 512}, glm::vec2(0), glm::vec2(0));
+    }
+    ResultArrays answers(kSamples, scene->channels());
+    const auto method = makeMethod({"exact", std::nullopt});
+    QElapsedTimer clock;
+    clock.start();
+    method->filter(*scene, queries.queries(), answers.results());
+    return static_cast<double>(clock.nsecsElapsed()) * 1e-9 / kSamples / Threads::all().count;
+}
+
+QString durationText(double seconds)
+{
+    return seconds < 1    ? QObject::tr("under a second")
+           : seconds < 90 ? QObject::tr("about %1 s").arg(std::ceil(seconds))
+                          : QObject::tr("about %1 min").arg(std::ceil(seconds / 60));
+}
+
+/// "2 pages, the largest 8,192 × 4,096"
+QString pagesText(const AtlasEstimate& estimate)
+{
+    const auto largest = std::ranges::max_element(estimate.pages, {}, [](const AtlasPage& page) {
+        return std::uint64_t{page.width} * page.height;
+    });
+    if (estimate.pages.size() == 1) {
+        return QObject::tr("1 page of %L1 × %L2 pixels").arg(largest->width).arg(largest->height);
+    }
+    return QObject::tr("%L1 pages, the largest %L2 × %L3 pixels")
+        .arg(estimate.pages.size())
+        .arg(largest->width)
+        .arg(largest->height);
+}
+
+QString atlasText(const AtlasEstimate& estimate, double seconds)
+{
+    QString text = QObject::tr("%1, %2 before compression, %3; %4 % of the pixels used")
+                       .arg(pagesText(estimate),
+                            sizeText(estimate.bytes()),
+                            durationText(seconds),
+                            QString::number(100 * estimate.occupancy, 'f', 0));
+    if (estimate.otherOccupancy) {
+        text += QObject::tr(" (%1 % in the other packing)")
+                    .arg(QString::number(100 * *estimate.otherOccupancy, 'f', 0));
+    }
+    return text;
+}
+
+} // namespace
+
+Result<QString>
+estimateExport(const Project& project, const ExportRequest& request, Progress& progress)
+{
+    const auto part = partOf(project, request.part, Threads::all(), progress);
+    if (!part) {
+        return tl::unexpected(part.error());
+    }
+    if (const auto* ptx = std::get_if<PtxExportOptions>(&request.options)) {
+        const ExportEstimate estimate =
+            estimatePtx(part->texels, ptx->type.value_or(part->texels.format().type), ptx->mips);
+        return QObject::tr("about %1, mesh included (texels before compression: %2), %3")
+            .arg(sizeText(estimate.likelyBytes),
+                 sizeText(estimate.plainBytes),
+                 durationText(static_cast<double>(estimate.plainBytes) * secondsPerByte()));
+    }
+    const auto* packed = std::get_if<PackedExportOptions>(&request.options);
+    const auto estimate =
+        packed != nullptr
+            ? estimatePackedAtlas(request.path, *part, *packed)
+            : estimateHandOff(request.path, *part, std::get<HandOffExportOptions>(request.options));
+    if (!estimate) {
+        return tl::unexpected(estimate.error());
+    }
+    const double writing = static_cast<double>(estimate->bytes()) * secondsPerByte();
+    const double samples = static_cast<double>(estimate->pixels()) * estimate->occupancy;
+    return atlasText(
+        *estimate,
+        packed != nullptr ? writing : writing + samples * secondsPerSample(part->texels.format()));
 }
 
 } // namespace trixel::ui

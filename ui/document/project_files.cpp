@@ -256,37 +256,27 @@ void ProjectFiles::saveNow(const QString& path)
         });
 }
 
-void ProjectFiles::exportPtx(const QString& path, TexelType type, bool mips)
+void ProjectFiles::exportAs(const ExportRequest& request)
 {
     m_document.endStroke();
     ++m_exporting;
-    m_document.whenSettled([this, path, type, mips] { exportNow(path, type, mips); });
+    m_document.whenSettled([this, request] { exportNow(request); });
 }
 
-void ProjectFiles::exportNow(const QString& path, TexelType type, bool mips)
+void ProjectFiles::exportNow(const ExportRequest& request)
 {
+    const QString path = QString::fromStdString(request.path.string());
     m_jobs.run(
         tr("Exporting %1…").arg(fileName(path)),
-        [file = toPath(path), project = m_document.snapshot(), type, mips](
-            Progress& progress) mutable -> Status {
-            if (type != project.texels.format().type) {
-                StageProgress converting(progress, 0.0, 0.3);
-                Result<TexelStore> texels =
-                    converted(project.texels, type, Threads::all(), converting);
-                if (!texels) {
-                    return tl::unexpected(texels.error());
-                }
-                project.texels = std::move(*texels);
-            }
-            StageProgress writing(progress, 0.3, 1.0);
-            return trixel::exportPtx(file, project, {.mips = mips}, writing);
+        [project = m_document.snapshot(), request](Progress& progress) {
+            return exportProject(ImageWorker(), project, request, progress);
         },
-        [this, path](const Status& status) {
+        [this, path](const Result<ExportOutcome>& outcome) {
             --m_exporting;
-            if (status) {
-                emit exported(path);
+            if (outcome) {
+                emit exported(path, *outcome);
             } else {
-                tell(status.error(), path);
+                tell(outcome.error(), path);
             }
             emit exportEnded();
         });

@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QString>
 
+#include "core/io/export_project.h"
 #include "core/io/project.h"
 #include "ui/document/project_options.h"
 
@@ -40,8 +41,8 @@ public:
                    const QString& name);
     /// Saves a snapshot as it is now; painting may go on.
     void save(const QString& path);
-    /// Exports a snapshot, converted to `type`.
-    void exportPtx(const QString& path, TexelType type, bool mips);
+    /// Exports a snapshot.
+    void exportAs(const trixel::ExportRequest& request);
 
     bool isSaving() const { return m_saving > 0; }
     bool isExporting() const { return m_exporting > 0; }
@@ -53,7 +54,7 @@ signals:
     /// A bare mesh was opened with default options.
     void meshOpened(const QString& path);
     void saved(const QString& path);
-    void exported(const QString& path);
+    void exported(const QString& path, const trixel::ExportOutcome& outcome);
     /// An export ended, well or not.
     void exportEnded();
     /// The texels of the `.ptx` are sound but its mesh is missing or damaged, as the sentence says.
@@ -71,7 +72,7 @@ private:
     void openPtxFile(const QString& path);
     void openMeshFile(const QString& path);
     void saveNow(const QString& path);
-    void exportNow(const QString& path, TexelType type, bool mips);
+    void exportNow(const ExportRequest& request);
     void tell(const Error& error, const QString& path);
 
     Document& m_document;

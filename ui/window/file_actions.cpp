@@ -8,14 +8,14 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 
-#include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/format_choice.h"
 #include "ui/dialogs/new_dialog.h"
 #include "ui/document/document.h"
 #include "ui/document/project_files.h"
 #include "ui/window/actions.h"
+#include "ui/window/export_actions.h"
+#include "ui/window/last_folder.h"
 #include "ui/window/message_bar.h"
 #include "ui/window/recent_files.h"
 
@@ -24,25 +24,6 @@
 namespace trixel::ui {
 
 namespace {
-
-constexpr auto kFolderKey = "files/folder";
-
-QString lastFolder()
-{
-    return QSettings().value(kFolderKey, QDir::homePath()).toString();
-}
-
-/// The folder last used, or the home folder where nothing can be written to that.
-QString folderToSaveIn()
-{
-    const QString folder = lastFolder();
-    return QFileInfo(folder).isWritable() ? folder : QDir::homePath();
-}
-
-void rememberFolderOf(const QString& path)
-{
-    QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
-}
 
 QString meshFilter()
 {
@@ -65,6 +46,7 @@ QString withEnding(const QString& path, const QString& ending)
 } // namespace
 
 FileActions::FileActions(Document& document,
+                         FaceSelection& selection,
                          ProjectFiles& files,
                          MessageBar& messages,
                          QWidget& window)
@@ -74,6 +56,7 @@ FileActions::FileActions(Document& document,
     , m_messages(messages)
     , m_window(window)
     , m_recent(new RecentFiles(this))
+    , m_exports(new ExportActions(document, selection, files, messages, window))
 {
     makeActions();
     listen();
@@ -94,10 +77,6 @@ void FileActions::makeActions()
     m_saveAs = make(tr("Save &As…"),
                     tr("Save the project under another name"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
-    m_export = make(tr("&Export…"),
-                    tr("Write a .ptx texture for renderers"),
-                    QKeySequence(Qt::CTRL | Qt::Key_E),
-                    "export");
     m_quit = make(tr("&Quit"), tr("Close the window"), QKeySequence(Qt::CTRL | Qt::Key_Q));
 
     connect(m_new, &QAction::triggered, this, [this] { askForNew({}); });
@@ -107,7 +86,6 @@ void FileActions::makeActions()
     });
     connect(m_save, &QAction::triggered, this, [this] { save({}); });
     connect(m_saveAs, &QAction::triggered, this, [this] { saveAs({}); });
-    connect(m_export, &QAction::triggered, this, &FileActions::askForExport);
     connect(m_quit, &QAction::triggered, &m_window, &QWidget::close);
 }
 
@@ -143,13 +121,6 @@ void FileActions::listen()
                                                            askForMesh(ptxPath);
                                                        }});
             });
-    connect(&m_files, &ProjectFiles::exported, this, [this](const QString& path) {
-        const QFileInfo file(path);
-        m_messages.showMessage(
-            MessageBar::Kind::Note,
-            tr("Exported %1: %2, read again and found equal.")
-                .arg(file.fileName(), sizeText(static_cast<std::uint64_t>(file.size()))));
-    });
 }
 
 void FileActions::enable()
@@ -157,7 +128,6 @@ void FileActions::enable()
     const bool isOpen = m_document.isOpen();
     m_save->setEnabled(isOpen && !m_files.isSaving());
     m_saveAs->setEnabled(isOpen && !m_files.isSaving());
-    m_export->setEnabled(isOpen);
 }
 
 void FileActions::fillMenu(QMenu& menu)
@@ -170,7 +140,7 @@ void FileActions::fillMenu(QMenu& menu)
     menu.addAction(m_save);
     menu.addAction(m_saveAs);
     menu.addSeparator();
-    menu.addAction(m_export);
+    m_exports->fillMenu(menu);
 }
 
 void FileActions::open(const QString& path)
@@ -236,19 +206,6 @@ void FileActions::askForMesh(const QString& ptxPath)
     connect(dialog, &QFileDialog::fileSelected, this, [this, ptxPath](const QString& mesh) {
         withoutLoss([this, ptxPath, mesh] { m_files.openPtxOn(ptxPath, mesh); });
     });
-    dialog->open();
-}
-
-void FileActions::askForExport()
-{
-    const QString start = m_document.path().isEmpty() ? folderToSaveIn() + "/" + m_document.title()
-                                                      : m_document.path();
-    const QFileInfo file(start);
-    auto* dialog = new ExportDialog(m_document.snapshot(),
-                                    file.absolutePath() + "/" + file.completeBaseName() + ".ptx",
-                                    &m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ExportDialog::exportWanted, &m_files, &ProjectFiles::exportPtx);
     dialog->open();
 }
 

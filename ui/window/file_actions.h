@@ -13,6 +13,8 @@ class QWidget;
 namespace trixel::ui {
 
 class Document;
+class ExportActions;
+class FaceSelection;
 class MessageBar;
 class ProjectFiles;
 class RecentFiles;
@@ -24,7 +26,11 @@ class FileActions : public QObject
     Q_OBJECT
 
 public:
-    FileActions(Document& document, ProjectFiles& files, MessageBar& messages, QWidget& window);
+    FileActions(Document& document,
+                FaceSelection& selection,
+                ProjectFiles& files,
+                MessageBar& messages,
+                QWidget& window);
 
     void fillMenu(QMenu& menu);
     QAction* newAction() const { return m_new; }
@@ -47,7 +53,6 @@ private:
     void askForNew(const QString& meshPath);
     void askForOpen();
     void askForMesh(const QString& ptxPath);
-    void askForExport();
     void save(std::function<void()> then);
     void saveAs(std::function<void()> then);
     void saveTo(const QString& path, std::function<void()> then);
@@ -58,12 +63,12 @@ private:
     MessageBar& m_messages;
     QWidget& m_window;
     RecentFiles* m_recent;
+    ExportActions* m_exports;
     QAction* m_new = nullptr;
     QAction* m_open = nullptr;
     QAction* m_sample = nullptr;
     QAction* m_save = nullptr;
     QAction* m_saveAs = nullptr;
-    QAction* m_export = nullptr;
     QAction* m_quit = nullptr;
 };
 

@@ -124,7 +124,7 @@ void MainWindow::makeCenter()
     m_viewport->useSelection(m_selection);
     m_viewport->useInspection(m_inspection);
     m_viewMap = new ViewMap(m_document, m_settings, m_filterScene, *m_viewport, m_viewport);
-    m_fileActions = new FileActions(m_document, m_files, *m_messages, *this);
+    m_fileActions = new FileActions(m_document, m_selection, m_files, *m_messages, *this);
     m_center = new QStackedWidget;
     m_center->addWidget(new Welcome({m_fileActions->newAction(), m_fileActions->openAction()}));
     m_center->addWidget(m_viewport);

@@ -32,7 +32,8 @@ struct ImageLimits
 class ImageWorker
 {
 public:
-    /// Beside the program that runs, or in lib/trixel where that was installed.
+    /// Where the environment variable TRIXEL_IMAGES says; else beside the program that runs, or in
+    /// lib/trixel where that was installed.
     ImageWorker();
     explicit ImageWorker(std::filesystem::path program);
 

@@ -116,7 +116,8 @@ private slots:
         m_document->open(gridProject(), {}, "grid");
         m_document->fillFaces(std::array{FaceId{3}}, {1, 0, 0.5F, 1});
         QSignalSpy exported(m_files.get(), &ProjectFiles::exported);
-        m_files->exportPtx(path("grid.ptx"), TexelType(type), true);
+        m_files->exportAs(
+            {path("grid.ptx").toStdString(), PtxExportOptions{TexelType(type), true}, {}});
         QTRY_COMPARE(exported.count(), 1);
 
         NoProgress progress;
@@ -137,7 +138,7 @@ private slots:
         m_document->fillFaces(std::array{FaceId{3}}, {1, 0, 0, 1});
         const std::vector<std::byte> painted = allTexels(m_document->texels());
         QSignalSpy exported(m_files.get(), &ProjectFiles::exported);
-        m_files->exportPtx(path("grid.ptx"), TexelType::UInt8, true);
+        m_files->exportAs({path("grid.ptx").toStdString(), PtxExportOptions{}, {}});
         QTRY_COMPARE(exported.count(), 1);
         QSignalSpy opened(m_files.get(), &ProjectFiles::opened);
         m_files->open(path("grid.ptx"));

@@ -135,7 +135,7 @@ private slots:
     {
         Project project = gridProject();
         paintNoise(project.texels);
-        ExportDialog dialog(project, m_folder.filePath("grid.ptx"));
+        ExportDialog dialog({project, {}, {}}, m_folder.filePath("grid.ptx"));
         dialog.show();
         auto* size = named<QLabel>(dialog, "Size estimate");
         const std::uint64_t full = 128 * 64 * 3;
@@ -146,13 +146,79 @@ private slots:
         QSignalSpy wanted(&dialog, &ExportDialog::exportWanted);
         QTest::mouseClick(named<QPushButton>(dialog, "Export"), Qt::LeftButton);
         QCOMPARE(wanted.count(), 1);
-        QCOMPARE(wanted.at(0).at(0).toString(), m_folder.filePath("grid.ptx"));
-        QCOMPARE(wanted.at(0).at(2).toBool(), false);
+        const auto request = wanted.at(0).at(0).value<ExportRequest>();
+        QCOMPARE(QString::fromStdString(request.path.string()), m_folder.filePath("grid.ptx"));
+        QCOMPARE(std::get<PtxExportOptions>(request.options).mips, false);
+    }
+
+    void endingAndKindOfExportFollowEachOther()
+    {
+        ExportDialog dialog({gridProject(), {}, {}}, m_folder.filePath("grid.ptx"));
+        dialog.show();
+        auto* path = named<QLineEdit>(dialog, "Destination");
+        auto* kind = named<QComboBox>(dialog, "Kind");
+        path->setText(m_folder.filePath("grid.png"));
+        QVERIFY2(kind->currentText().contains("Packed atlas"), qPrintable(kind->currentText()));
+        QVERIFY(named<QComboBox>(dialog, "Packing")->isVisible());
+        kind->setCurrentIndex(kind->findData(".obj"));
+        QCOMPARE(path->text(), m_folder.filePath("grid.obj"));
+        QVERIFY(named<QSpinBox>(dialog, "Padding")->isVisible());
+    }
+
+    void presetsChooseKindAndSettingsUntilSomethingIsChanged()
+    {
+        ExportDialog dialog({gridProject(), {}, {}}, m_folder.filePath("grid.ptx"));
+        dialog.show();
+        auto* preset = named<QComboBox>(dialog, "Destination preset");
+        preset->setCurrentIndex(preset->findText("Game engine", Qt::MatchStartsWith));
+        QCOMPARE(named<QLineEdit>(dialog, "Destination")->text(), m_folder.filePath("grid.glb"));
+        QVERIFY(named<QCheckBox>(dialog, "Sides are powers of two")->isChecked());
+        QCOMPARE(named<QSpinBox>(dialog, "Padding")->value(), 4);
+        QVERIFY(preset->currentText().startsWith("Game engine"));
+        named<QSpinBox>(dialog, "Padding")->setValue(3);
+        QCOMPARE(preset->currentText(), QString("Custom"));
+    }
+
+    void sizeAndPagesAreSaidAndPartsCanBeChosen()
+    {
+        ExportDialog dialog({gridProject(), {FaceId{3}, FaceId{4}}, {}},
+                            m_folder.filePath("a.png"));
+        dialog.show();
+        auto* size = named<QLabel>(dialog, "Size estimate");
+        QTRY_VERIFY2(size->text().contains("1 page of"), qPrintable(size->text()));
+        QVERIFY(size->text().contains("in the other packing"));
+        const QString whole = size->text();
+        named<QCheckBox>(dialog, "Only selected faces")->click();
+        QTRY_VERIFY(size->text().contains("1 page of") && size->text() != whole);
+        QSignalSpy wanted(&dialog, &ExportDialog::exportWanted);
+        named<QComboBox>(dialog, "Channels")->setCurrentIndex(2);
+        QTRY_VERIFY(size->text().contains("1 page of"));
+        QTest::mouseClick(named<QPushButton>(dialog, "Export"), Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        const auto request = wanted.at(0).at(0).value<ExportRequest>();
+        QCOMPARE(request.part.faces.size(), std::size_t{2});
+        QCOMPARE(request.part.channels, std::vector<std::uint16_t>{1});
+    }
+
+    void whatAFormatCannotHoldIsSaidAndNotExported()
+    {
+        Project project = gridProject();
+        project.texels = TexelStore(128,
+                                    TexelFormat{TexelType::UInt16, 5, std::nullopt},
+                                    Level(1),
+                                    std::vector<std::byte>(10));
+        ExportDialog dialog({project, {}, {}}, m_folder.filePath("a.png"));
+        dialog.show();
+        auto* size = named<QLabel>(dialog, "Size estimate");
+        QTRY_VERIFY2(size->text().contains("1 to 4 channels"), qPrintable(size->text()));
+        QVERIFY(!named<QPushButton>(dialog, "Export")->isEnabled());
+        named<QComboBox>(dialog, "Channels")->setCurrentIndex(1);
+        QTRY_VERIFY(named<QPushButton>(dialog, "Export")->isEnabled());
     }
 
     void exportDialogRefusesUselessDestinations()
     {
-        ExportDialog dialog(gridProject(), {});
+        ExportDialog dialog({gridProject(), {}, {}}, {});
         dialog.show();
         auto* path = named<QLineEdit>(dialog, "Destination");
         auto* button = named<QPushButton>(dialog, "Export");

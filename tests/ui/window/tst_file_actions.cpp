@@ -85,6 +85,30 @@ private slots:
         QVERIFY(allTexels(contents->texels) == allTexels(document().texels()));
     }
 
+    void exportWritesAMeshWithUvsAndRepeatsItWithOneKey()
+    {
+        openGrid();
+        fillFace(5);
+        press(Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(openDialog<ExportDialog>());
+        auto* dialog = openDialog<ExportDialog>();
+        auto* destination = widgetNamed<QLineEdit>(*dialog, "Destination");
+        destination->setText(path("grid.glb"));
+        QTRY_VERIFY(widgetNamed<QPushButton>(*dialog, "Export")->isEnabled());
+        QTest::mouseClick(widgetNamed<QPushButton>(*dialog, "Export"), Qt::LeftButton);
+        QTRY_VERIFY(m_window->messages().sentence().startsWith("Exported grid.glb"));
+        QVERIFY(m_window->messages().sentence().contains("of 255"));
+        QVERIFY(QFile::remove(path("grid.glb")));
+        press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(QFileInfo::exists(path("grid.glb")));
+        // The dialog begins with what was written last.
+        press(Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(openDialog<ExportDialog>());
+        QCOMPARE(widgetNamed<QLineEdit>(*openDialog<ExportDialog>(), "Destination")->text(),
+                 path("grid.glb"));
+        openDialog<ExportDialog>()->reject();
+    }
+
     void brokenFileShowsTheSentenceAndChangesNothing()
     {
         openGrid();
@@ -143,7 +167,8 @@ private slots:
     void closingWaitsForAnExport()
     {
         m_window->document().open(gridProject(64, 4), {}, "grid");
-        m_window->files().exportPtx(path("grid.ptx"), TexelType::Float, true);
+        m_window->files().exportAs(
+            {path("grid.ptx").toStdString(), PtxExportOptions{TexelType::Float, true}, {}});
         QVERIFY(m_window->files().isExporting());
         m_window->close();
         m_window->close(); // an impatient user

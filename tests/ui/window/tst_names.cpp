@@ -103,7 +103,9 @@ private slots:
     void everyControlOfTheDialogsIsNamedAndExplained()
     {
         expectExplained(NewDialog({}), 7);
-        expectExplained(ExportDialog(gridProject(), {}), 5);
+        for (const char* name : {"a.ptx", "a.exr", "a.glb"}) { // one for each kind
+            expectExplained(ExportDialog({gridProject(), {}, {}}, name), 10);
+        }
         expectExplained(CommandPalette(*m_window->menuBar()), 2);
     }
 
