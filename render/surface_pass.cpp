@@ -241,8 +241,9 @@ void SurfacePass::setFilterMesh(std::shared_ptr<const FilterMesh> mesh)
 /// What the shader needs to know for ways of filtering over vertices.
 void SurfacePass::setFilter(QOpenGLShaderProgram& program,
                             const Camera& camera,
-                            Filtering filtering)
+                            const SurfaceStyle& style)
 {
+    const Filtering filtering = style.filtering;
     const glm::mat4 projection = camera.projection();
     const glm::ivec2 size = camera.viewport();
     if (filtering == Filtering::Anisotropic && m_across.size() == 0) {
@@ -250,6 +251,7 @@ void SurfacePass::setFilter(QOpenGLShaderProgram& program,
     }
     m_scales.bind(9);
     program.setUniformValue("unitsPerPixel", 2 / (projection[0][0] * static_cast<float>(size.x)));
+    program.setUniformValue("levelCut", style.levelCut);
     if (filtering != Filtering::Anisotropic) {
         return;
     }
@@ -299,7 +301,7 @@ void SurfacePass::draw(const Camera& camera,
     program.bind();
     if (filteringOf(possible) >= static_cast<std::size_t>(Filtering::Seamless)) {
         check(m_filterMesh != nullptr, "a mesh to filter over");
-        setFilter(program, camera, possible.filtering);
+        setFilter(program, camera, possible);
     }
     m_positions.bind(0);
     m_triangles.bind(1);

@@ -67,11 +67,13 @@ float pixelVariance()
     return 0.25 * pixel * pixel;
 }
 
+uniform float levelCut; // by which all is shown coarser than a pixel, where it does not fit the card
+
 // The level at which interpolation averages with a variance. A vertex's hexagon and the slopes about
 // it have 0.2917 of a texel's edge squared more than the texel, whose own is 1/24; base texels count
 // as points.
 float levelFor(float variance, float texel2)
 {
     float edge2 = (variance + texel2 / 24.0) / (1.0 / 24.0 + 0.2917);
-    return log2Scale.x - 0.5 * log2(edge2);
+    return log2Scale.x - 0.5 * log2(edge2) - levelCut;
 }
