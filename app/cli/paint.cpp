@@ -54,8 +54,13 @@ Result<Outcome> paint(const Arguments& arguments, Progress& progress)
         return tl::unexpected(strokes.error());
     }
     StageProgress painting(progress, 0.2, 0.8);
-    const Status painted = replayStrokes(
-        *strokes, project->surface, fillOf(*project), project->texels, *count, painting);
+    const Status painted = replayStrokes(*strokes,
+                                         project->surface,
+                                         fillOf(*project),
+                                         project->texels,
+                                         *count,
+                                         painting,
+                                         project->creaseAngle);
     if (!painted) {
         return tl::unexpected(painted.error());
     }

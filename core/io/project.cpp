@@ -9,6 +9,7 @@
 #include "core/io/ptx_mesh_match.h"
 #include "core/io/ptx_metadata.h"
 #include "core/io/ptx_reader.h"
+#include "core/io/sharpness_metadata.h"
 
 #include <string>
 
@@ -64,6 +65,10 @@ Result<Project> assemble(const std::filesystem::path& path,
                          const OpenOptions& options,
                          Progress& progress)
 {
+    const Result<CreaseAngle> creases = creaseAngleOf(opened.metadata);
+    if (!creases) {
+        return tl::unexpected(creases.error());
+    }
     StageProgress building(progress, 0, 0.4);
     auto surface = Surface::build(std::move(mesh), building);
     if (!surface) {
@@ -81,7 +86,8 @@ Result<Project> assemble(const std::filesystem::path& path,
     return Project{std::move(*surface),
                    std::move(texels->texels),
                    withoutMesh(std::move(opened.metadata)),
-                   std::move(texels->faces)};
+                   std::move(texels->faces),
+                   *creases};
 }
 
 Result<Project> openWithOwnMesh(const std::filesystem::path& path,
@@ -105,6 +111,9 @@ PtxContents contentsOf(const Project& project)
     contents.metadata = withoutMesh(project.metadata);
     for (PtxMetadata& item : metadataOf(project.surface->mesh())) {
         contents.metadata.push_back(std::move(item));
+    }
+    if (project.creaseAngle) {
+        contents.metadata.push_back({kCreaseAngleKey, std::vector<float>{*project.creaseAngle}});
     }
     return contents;
 }

@@ -24,6 +24,8 @@ struct Project
     /// What reads the faces of a large file when they are asked for, and knows which could not be
     /// read; null when all texels were read at once.
     std::shared_ptr<StoredFaces> storedFaces = {};
+    /// From which the limit surface has creases beside those of the mesh.
+    CreaseAngle creaseAngle = {};
 };
 
 /// Opens a `.trixel` project. Errors name the file; a newer version is refused. Of large files only

@@ -2,6 +2,7 @@
 #include "core/io/project_metadata.h"
 
 #include "core/io/ptx_metadata.h"
+#include "core/io/sharpness_metadata.h"
 
 #include <cmath>
 #include <limits>
@@ -124,9 +125,13 @@ Result<TriangleMesh> meshOf(std::span<const PtxMetadata> items, std::uint32_t fa
             mesh.positions = std::move(positions);
             return trianglesOf(*indices, faceCount, mesh.positions.size());
         })
-        .map([&](std::vector<Triangle> triangles) {
+        .and_then([&](std::vector<Triangle> triangles) {
             mesh.triangles = std::move(triangles);
             mesh.sourceFaces = sourceFacesOf(items, faceCount);
+            return sharpnessOf(items, mesh);
+        })
+        .map([&](Sharpness sharpness) {
+            mesh.sharpness = std::move(sharpness);
             return std::move(mesh);
         });
 }
@@ -154,6 +159,9 @@ std::vector<PtxMetadata> metadataOf(const TriangleMesh& mesh)
             {kSourceFacesKey,
              std::vector<std::int32_t>(mesh.sourceFaces.begin(), mesh.sourceFaces.end())});
     }
+    for (PtxMetadata& item : metadataOf(mesh.sharpness)) {
+        items.push_back(std::move(item));
+    }
     return items;
 }
 
@@ -169,7 +177,12 @@ std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items)
                             kVertexIndicesKey,
                             kVertexPositionsKey,
                             kProjectVersionKey,
-                            kSourceFacesKey}) {
+                            kSourceFacesKey,
+                            kCreasesKey,
+                            kCreaseSharpnessKey,
+                            kSharpVerticesKey,
+                            kVertexSharpnessKey,
+                            kCreaseAngleKey}) {
         removeMetadata(items, key);
     }
     return items;

@@ -20,6 +20,13 @@ inline constexpr const char* kProjectVersionKey = "TrixelProject";
 inline constexpr const char* kSourceFacesKey = "TrixelSourceFaces";
 /// The values of one texel before anything was painted.
 inline constexpr const char* kFillKey = "TrixelFill";
+/// Two vertices a crease, and how sharp each is; likewise of vertices.
+inline constexpr const char* kCreasesKey = "TrixelCreases";
+inline constexpr const char* kCreaseSharpnessKey = "TrixelCreaseSharpness";
+inline constexpr const char* kSharpVerticesKey = "TrixelSharpVertices";
+inline constexpr const char* kVertexSharpnessKey = "TrixelVertexSharpness";
+/// Degrees; not there where an angle makes no crease.
+inline constexpr const char* kCreaseAngleKey = "TrixelCreaseAngle";
 /// The text of a cameras file: the project's bookmarked views.
 inline constexpr const char* kViewsKey = "TrixelViews";
 
@@ -30,7 +37,8 @@ inline constexpr int kProjectVersion = 1;
 bool carriesMesh(std::span<const PtxMetadata> items);
 
 /// The mesh, checked: three corners a face, as many faces as expected, indices of vertices that
-/// exist, finite positions. Errors name the key and the first face or vertex at fault.
+/// exist, finite positions, creases along edges. Errors name the key and the first face, vertex or
+/// crease at fault.
 Result<TriangleMesh> meshOf(std::span<const PtxMetadata> items, std::uint32_t faceCount);
 
 /// The items that keep a mesh.
@@ -39,7 +47,7 @@ std::vector<PtxMetadata> metadataOf(const TriangleMesh& mesh);
 /// The version of the project, or nothing if the items do not make one.
 std::optional<int> projectVersionOf(std::span<const PtxMetadata> items);
 
-/// The items without those that keep the mesh and make a project.
+/// The items without those that keep the mesh and its creases and make a project.
 std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items);
 
 } // namespace trixel

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace trixel {
 
-/// Sharpness from which an edge stays a crease for ever; below it the crease is rounded off after
+/// Sharpness from which an edge or a vertex stays sharp for ever; below it, it is rounded off after
 /// so many refinement steps.
 inline constexpr float kSharp = 10.0F;
 
@@ -18,5 +20,27 @@ struct Crease
 
     bool operator==(const Crease&) const = default;
 };
+
+/// A vertex of the cage that subdivision leaves where it is.
+struct SharpVertex
+{
+    std::uint32_t vertex = 0;
+    float sharpness = kSharp; ///< [0, kSharp]
+
+    bool operator==(const SharpVertex&) const = default;
+};
+
+/// What subdivision of a cage does not round off, beside its borders.
+struct Sharpness
+{
+    std::vector<Crease> creases;
+    std::vector<SharpVertex> vertices;
+
+    bool isEmpty() const { return creases.empty() && vertices.empty(); }
+    bool operator==(const Sharpness&) const = default;
+};
+
+/// Degrees in [0, 180]: edges folded by more are creases. None: an angle makes no crease.
+using CreaseAngle = std::optional<float>;
 
 } // namespace trixel

@@ -68,16 +68,16 @@ LimitSurface::LimitSurface() = default;
 LimitSurface::~LimitSurface() = default;
 
 Result<std::shared_ptr<const LimitSurface>> LimitSurface::build(const TriangleMesh& cage,
-                                                                std::span<const Crease> creases)
+                                                                const Sharpness& sharpness)
 {
     if (Status status = checkLoopCage(cage); !status) {
         return tl::unexpected(status.error());
     }
-    if (Status status = checkCreases(cage, creases); !status) {
+    if (Status status = checkSharpness(cage, sharpness); !status) {
         return tl::unexpected(status.error());
     }
     try {
-        LoopRefiner refiner = makeLoopRefiner(cage, creases);
+        LoopRefiner refiner = makeLoopRefiner(cage, sharpness);
         if (!refiner) {
             return contentsError("the cage's faces cannot be refined together");
         }

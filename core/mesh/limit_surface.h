@@ -5,7 +5,6 @@
 
 #include "core/base/result.h"
 #include "core/mesh/bvh.h"
-#include "core/mesh/crease.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <array>
@@ -13,7 +12,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <span>
 
 namespace trixel {
 
@@ -34,9 +32,9 @@ struct LimitPoint
 
 /// The limit surface of a cage by Loop's scheme. Faces, their ids and their (u,v) are the cage's.
 /// Border edges become smooth curves that depend on the border alone, border vertices of a single
-/// face stay corners, creases stay as sharp as they say. Edges of three and more faces, or run
-/// along twice in the same direction, are creases. Immutable and shared; every function may be
-/// called from several threads.
+/// face stay corners, creases and sharp vertices stay as sharp as they say. Edges of three and more
+/// faces, or run along twice in the same direction, are creases. Immutable and shared; every
+/// function may be called from several threads.
 ///
 /// Within 1/32 of a face around a vertex of other than six faces the surface is an approximation of
 /// OpenSubdiv's, smooth and the same from each face: off the true limit by up to 4e-5 of an edge's
@@ -50,8 +48,14 @@ public:
     /// Copies what it needs of the cage. Takes about 1 s for a million faces.
     /// Fails, naming the face, vertex or crease, on a cage that `loopRefined` refuses, and on
     /// creases of vertices beyond the cage's or a sharpness outside [0, kSharp].
+    /// \param sharpness  in the place of the cage's own
     static Result<std::shared_ptr<const LimitSurface>> build(const TriangleMesh& cage,
-                                                             std::span<const Crease> creases = {});
+                                                             const Sharpness& sharpness);
+    /// As sharp as the cage itself says.
+    static Result<std::shared_ptr<const LimitSurface>> build(const TriangleMesh& cage)
+    {
+        return build(cage, cage.sharpness);
+    }
     /// Whether a cage has a limit surface, but for memory; fails as `build`.
     static Status check(const TriangleMesh& cage);
     ~LimitSurface();

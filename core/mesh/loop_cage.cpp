@@ -56,6 +56,21 @@ Status checkVertices(const TriangleMesh& cage)
     return {};
 }
 
+/// \param name  of what is sharp
+Status
+checkSharp(const TriangleMesh& cage, const std::string& name, std::uint32_t vertex, float sharpness)
+{
+    if (vertex >= cage.positions.size()) {
+        return contentsError(name + " has vertex " + std::to_string(vertex) + ", the cage has " +
+                             std::to_string(cage.positions.size()));
+    }
+    if (!(sharpness >= 0 && sharpness <= kSharp)) {
+        return contentsError(name + " has sharpness " + std::to_string(sharpness) +
+                             ", not 0 to 10");
+    }
+    return {};
+}
+
 } // namespace
 
 Status checkLoopCage(const TriangleMesh& cage)
@@ -72,26 +87,28 @@ Status checkLoopCage(const TriangleMesh& cage)
     return {};
 }
 
-Status checkCreases(const TriangleMesh& cage, std::span<const Crease> creases)
+Status checkSharpness(const TriangleMesh& cage, const Sharpness& sharpness)
 {
-    for (std::size_t k = 0; k < creases.size(); ++k) {
-        const Crease& crease = creases[k];
+    for (std::size_t k = 0; k < sharpness.creases.size(); ++k) {
+        const Crease& crease = sharpness.creases[k];
+        const std::string name = "crease " + std::to_string(k + 1);
         for (const std::uint32_t vertex : {crease.from, crease.to}) {
-            if (vertex >= cage.positions.size()) {
-                return contentsError("crease " + std::to_string(k + 1) + " has vertex " +
-                                     std::to_string(vertex) + ", the cage has " +
-                                     std::to_string(cage.positions.size()));
+            if (Status status = checkSharp(cage, name, vertex, crease.sharpness); !status) {
+                return status;
             }
         }
-        if (!(crease.sharpness >= 0 && crease.sharpness <= kSharp)) {
-            return contentsError("crease " + std::to_string(k + 1) + " has sharpness " +
-                                 std::to_string(crease.sharpness) + ", not 0 to 10");
+    }
+    for (std::size_t k = 0; k < sharpness.vertices.size(); ++k) {
+        const SharpVertex& sharp = sharpness.vertices[k];
+        const std::string name = "sharp vertex " + std::to_string(k + 1);
+        if (Status status = checkSharp(cage, name, sharp.vertex, sharp.sharpness); !status) {
+            return status;
         }
     }
     return {};
 }
 
-LoopRefiner makeLoopRefiner(const TriangleMesh& cage, std::span<const Crease> creases)
+LoopRefiner makeLoopRefiner(const TriangleMesh& cage, const Sharpness& sharpness)
 {
     const std::vector<int> corners(cage.faceCount(), 3);
     std::vector<int> vertices;
@@ -102,11 +119,17 @@ LoopRefiner makeLoopRefiner(const TriangleMesh& cage, std::span<const Crease> cr
         }
     }
     std::vector<int> creaseEnds;
-    std::vector<float> sharpness;
-    for (const Crease& crease : creases) {
+    std::vector<float> creaseWeights;
+    for (const Crease& crease : sharpness.creases) {
         creaseEnds.push_back(static_cast<int>(crease.from));
         creaseEnds.push_back(static_cast<int>(crease.to));
-        sharpness.push_back(crease.sharpness);
+        creaseWeights.push_back(crease.sharpness);
+    }
+    std::vector<int> sharpVertices;
+    std::vector<float> vertexWeights;
+    for (const SharpVertex& sharp : sharpness.vertices) {
+        sharpVertices.push_back(static_cast<int>(sharp.vertex));
+        vertexWeights.push_back(sharp.sharpness);
     }
     using Descriptor = Far::TopologyDescriptor;
     Descriptor descriptor;
@@ -114,9 +137,12 @@ LoopRefiner makeLoopRefiner(const TriangleMesh& cage, std::span<const Crease> cr
     descriptor.numFaces = static_cast<int>(cage.faceCount());
     descriptor.numVertsPerFace = corners.data();
     descriptor.vertIndicesPerFace = vertices.data();
-    descriptor.numCreases = static_cast<int>(creases.size());
+    descriptor.numCreases = static_cast<int>(creaseWeights.size());
     descriptor.creaseVertexIndexPairs = creaseEnds.data();
-    descriptor.creaseWeights = sharpness.data();
+    descriptor.creaseWeights = creaseWeights.data();
+    descriptor.numCorners = static_cast<int>(vertexWeights.size());
+    descriptor.cornerVertexIndices = sharpVertices.data();
+    descriptor.cornerWeights = vertexWeights.data();
 
     Sdc::Options scheme;
     scheme.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);

@@ -4,12 +4,10 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/mesh/crease.h"
 #include "core/mesh/triangle_mesh.h"
 
 #include <memory>
 #include <opensubdiv/far/topologyRefiner.h>
-#include <span>
 
 namespace trixel {
 
@@ -20,13 +18,13 @@ using LoopRefiner = std::unique_ptr<OpenSubdiv::Far::TopologyRefiner>;
 /// kMaxLoopValence.
 Status checkLoopCage(const TriangleMesh& cage);
 
-/// Fails, naming the crease (counted from 1), where a vertex is beyond the positions or the
-/// sharpness not in [0, kSharp].
-Status checkCreases(const TriangleMesh& cage, std::span<const Crease> creases);
+/// Fails, naming the crease or sharp vertex (counted from 1), where a vertex is beyond the positions
+/// or the sharpness not in [0, kSharp].
+Status checkSharpness(const TriangleMesh& cage, const Sharpness& sharpness);
 
 /// The connectivity of a cage that was checked, not refined yet; nothing if OpenSubdiv refuses it.
 /// Borders become curves, border vertices of a single face corners. Creases between vertices that
 /// share no edge mean nothing. May throw std::bad_alloc.
-LoopRefiner makeLoopRefiner(const TriangleMesh& cage, std::span<const Crease> creases = {});
+LoopRefiner makeLoopRefiner(const TriangleMesh& cage, const Sharpness& sharpness);
 
 } // namespace trixel

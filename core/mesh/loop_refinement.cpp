@@ -48,7 +48,7 @@ Status checkSize(const TriangleMesh& cage, int steps)
 /// The cage's connectivity, refined; nothing if OpenSubdiv refuses it.
 LoopRefiner makeRefiner(const TriangleMesh& cage, int steps)
 {
-    LoopRefiner refiner = makeLoopRefiner(cage);
+    LoopRefiner refiner = makeLoopRefiner(cage, cage.sharpness);
     if (refiner) {
         Far::TopologyRefiner::UniformOptions uniform(steps);
         uniform.fullTopologyInLastLevel = true; // the limit needs each vertex's surroundings
@@ -116,6 +116,9 @@ Result<TriangleMesh> loopRefined(const TriangleMesh& cage, int steps)
         return tl::unexpected(status.error());
     }
     if (Status status = checkLoopCage(cage); !status) {
+        return tl::unexpected(status.error());
+    }
+    if (Status status = checkSharpness(cage, cage.sharpness); !status) {
         return tl::unexpected(status.error());
     }
     try {

@@ -2,6 +2,7 @@
 #include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/mesh/obj_statement.h"
+#include "core/mesh/obj_tags.h"
 #include "core/mesh/polygon_cutter.h"
 #include "core/mesh/readers.h"
 #include "core/mesh/shared_progress.h"
@@ -40,6 +41,7 @@ struct ObjChunk
     ObjCounts before; // in all earlier chunks
 
     PolygonList polygons;
+    ObjTags tags;
     Status status;
 };
 
@@ -138,6 +140,8 @@ private:
         case ObjStatement::Normal:
             ++m_seen.normals;
             return {};
+        case ObjStatement::Tag:
+            return readObjTag(m_scanner, m_totals.vertices, m_chunk.tags);
         case ObjStatement::Skipped:
             return {};
         case ObjStatement::Unknown:
@@ -280,6 +284,15 @@ std::vector<PolygonList> takePolygons(std::span<ObjChunk> chunks)
     return parts;
 }
 
+std::vector<ObjTags> takeTags(std::span<ObjChunk> chunks)
+{
+    std::vector<ObjTags> parts;
+    for (ObjChunk& chunk : chunks) {
+        parts.push_back(std::move(chunk.tags));
+    }
+    return parts;
+}
+
 } // namespace
 
 Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
@@ -308,7 +321,16 @@ Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
         }
     }
     std::vector<PolygonList> polygons = takePolygons(chunks);
-    return cutPolygons(std::move(positions), polygons);
+    auto mesh = cutPolygons(std::move(positions), polygons);
+    if (!mesh) {
+        return mesh;
+    }
+    auto sharpness = gatherTags(*mesh, takeTags(chunks));
+    if (!sharpness) {
+        return tl::unexpected(sharpness.error());
+    }
+    mesh->sharpness = std::move(*sharpness);
+    return mesh;
 }
 
 } // namespace trixel

@@ -46,6 +46,9 @@ ObjStatement objStatementOf(std::string_view keyword)
     if (keyword == "vn") {
         return ObjStatement::Normal;
     }
+    if (keyword == "t") {
+        return ObjStatement::Tag;
+    }
     const bool isKnown = std::find(kSkipped.begin(), kSkipped.end(), keyword) != kSkipped.end();
     return isKnown || looksLikeExtension(keyword) ? ObjStatement::Skipped : ObjStatement::Unknown;
 }

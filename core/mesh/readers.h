@@ -15,7 +15,8 @@ namespace trixel {
 /// them in the end. Texture and normal numbers are range-checked, their values are not read; lines,
 /// points, groups, materials, free-form statements and those that programs add for themselves are
 /// skipped; what looks like a damaged vertex or face is refused. A fourth number of a vertex (its
-/// weight) and colours are skipped.
+/// weight) and colours are skipped. Creases and sharp vertices are read from tags (see
+/// obj_tags.h).
 Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress);
 
 /// PLY 1.0, ascii or binary of either byte order. Needs an element "vertex" with x, y and z of any

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/ids.h"
+#include "core/mesh/crease.h"
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,8 @@ struct TriangleMesh
     std::vector<Triangle> triangles;
     /// The polygon of the file each triangle was cut from; empty when every polygon was a triangle.
     std::vector<std::uint32_t> sourceFaces;
+    /// What the file says of subdivision: each edge and each vertex once, edges of the mesh alone.
+    Sharpness sharpness = {};
 
     std::size_t faceCount() const { return triangles.size(); }
 

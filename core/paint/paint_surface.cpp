@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/paint/paint_surface.h"
 
+#include "core/mesh/crease_angle.h"
+
 namespace trixel {
 
 namespace {
@@ -11,9 +13,9 @@ constexpr double kError = 1.0 / 4096;
 } // namespace
 
 Result<std::shared_ptr<const LimitMesh>>
-limitToPaintOn(const Surface& surface, Threads threads, Progress& progress)
+limitToPaintOn(const Surface& surface, CreaseAngle creases, Threads threads, Progress& progress)
 {
-    auto limit = LimitSurface::build(surface.mesh());
+    auto limit = LimitSurface::build(surface.mesh(), sharpnessOf(surface, creases));
     if (!limit) {
         return tl::unexpected(limit.error());
     }

@@ -13,8 +13,9 @@ namespace trixel {
 
 /// The limit surface of a cage as strokes find their way on it: tessellated alike whatever looks at
 /// it, to within 1/4096 of the surface's size or by four million triangles.
+/// \param creases  beside those of its mesh; see `sharpnessOf`
 /// Fails as `LimitSurface::build`, or when cancelled.
 Result<std::shared_ptr<const LimitMesh>>
-limitToPaintOn(const Surface& surface, Threads threads, Progress& progress);
+limitToPaintOn(const Surface& surface, CreaseAngle creases, Threads threads, Progress& progress);
 
 } // namespace trixel

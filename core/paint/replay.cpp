@@ -43,7 +43,8 @@ Status replayStrokes(std::span<const RecordedStroke> strokes,
                      std::span<const std::byte> fill,
                      TexelStore& store,
                      Threads threads,
-                     Progress& progress)
+                     Progress& progress,
+                     CreaseAngle creases)
 {
     for (std::size_t k = 0; k < strokes.size(); ++k) {
         if (const Status valid = validate(strokes[k].brush); !valid) {
@@ -53,7 +54,7 @@ Status replayStrokes(std::span<const RecordedStroke> strokes,
     std::shared_ptr<const LimitMesh> limit;
     if (std::ranges::any_of(strokes, &RecordedStroke::onLimit)) {
         StageProgress preparing(progress, 0.0, 0.5);
-        auto made = limitToPaintOn(*surface, threads, preparing);
+        auto made = limitToPaintOn(*surface, creases, threads, preparing);
         if (!made) {
             return prefixed("limit surface", made.error());
         }

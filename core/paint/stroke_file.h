@@ -38,11 +38,13 @@ std::string writeStrokes(std::span<const RecordedStroke> strokes);
 /// Replays strokes in order on a store. The result does not depend on the number of threads. Fails
 /// when a brush is not valid, when a stroke is on the limit of a surface that has none, or when
 /// cancelled, and then leaves the store as it was.
+/// \param creases  of the limit surface, beside those of the mesh; see `limitToPaintOn`
 Status replayStrokes(std::span<const RecordedStroke> strokes,
                      const std::shared_ptr<const Surface>& surface,
                      std::span<const std::byte> fill,
                      TexelStore& store,
                      Threads threads,
-                     Progress& progress);
+                     Progress& progress,
+                     CreaseAngle creases = {});
 
 } // namespace trixel

@@ -142,7 +142,7 @@ void dab(benchmark::State& state)
     NoProgress progress;
     const auto surface = Surface::build(test::icosahedron(), progress).value();
     const auto limit =
-        state.range(0) > 0 ? limitToPaintOn(*surface, Threads::all(), progress).value() : nullptr;
+        state.range(0) > 0 ? limitToPaintOn(*surface, {}, Threads::all(), progress).value() : nullptr;
     TexelStore store(20, TexelFormat{}, Level(8), std::array<std::byte, 3>{});
     Brush brush;
     brush.radius = 0.4F;

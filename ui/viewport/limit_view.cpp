@@ -135,7 +135,7 @@ void LimitView::next()
     } else if (m_demand && !m_solid) {
         start([surface = m_surface](Progress& progress) {
             Made made;
-            if (auto solid = limitToPaintOn(*surface, Threads::all(), progress)) {
+            if (auto solid = limitToPaintOn(*surface, {}, Threads::all(), progress)) {
                 made.solid = std::move(*solid);
             } else {
                 made.refusal = solid.error().message;

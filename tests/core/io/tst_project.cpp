@@ -106,6 +106,76 @@ TEST_F(ProjectFile, everythingOfAProjectRoundTrips)
     EXPECT_EQ(fillOf(*opened), fillOf(m_project));
 }
 
+TEST_F(ProjectFile, creasesAndTheirAngleComeBack)
+{
+    TriangleMesh mesh = grid(4);
+    mesh.sharpness = {{{0, 1, 2.5F}, {6, 7, kSharp}}, {{12, 0.125F}}};
+    m_project.surface = Surface::build(mesh, m_progress).value();
+    m_project.creaseAngle = 33.5F;
+    ASSERT_TRUE(saveProject(m_path, m_project, m_progress).has_value());
+    ASSERT_TRUE(exportPtx(m_ptx, m_project, {}, m_progress).has_value());
+    for (const auto& opened : {openProject(m_path, m_progress), openPtx(m_ptx, m_progress)}) {
+        ASSERT_TRUE(opened.has_value()) << opened.error().message;
+        EXPECT_EQ(opened->surface->mesh().sharpness, mesh.sharpness);
+        EXPECT_EQ(opened->creaseAngle, m_project.creaseAngle);
+        EXPECT_THAT(opened->metadata, testing::UnorderedElementsAreArray(m_project.metadata));
+    }
+}
+
+TEST_F(ProjectFile, projectsOfBeforeHaveNoCreases)
+{
+    ASSERT_TRUE(saveProject(m_path, m_project, m_progress).has_value());
+    const auto opened = openProject(m_path, m_progress);
+    ASSERT_TRUE(opened.has_value());
+    EXPECT_TRUE(opened->surface->mesh().sharpness.isEmpty());
+    EXPECT_FALSE(opened->creaseAngle);
+    const auto summary = summarisePtx(m_path);
+    ASSERT_TRUE(summary.has_value());
+    for (const PtxMetadata& item : metadataOf(m_project.surface->mesh())) {
+        EXPECT_THAT(item.key, testing::Not(HasSubstr("Crease")));
+    }
+}
+
+TEST_F(ProjectFile, damagedCreasesAreRefusedByName)
+{
+    const auto refusalWith = [&](std::vector<PtxMetadata> more) {
+        std::vector<PtxMetadata> items = metadataOf(m_project.surface->mesh());
+        items.insert(items.end(), more.begin(), more.end());
+        writeWith(items);
+        return refusal();
+    };
+    using Ints = std::vector<std::int32_t>;
+    using Floats = std::vector<float>;
+    const PtxMetadata edge{kCreasesKey, Ints{0, 1}};
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(refusalWith({edge, {kCreaseSharpnessKey, Floats{1}}}), "was opened");
+    EXPECT_THAT(refusalWith({edge}), HasSubstr("TrixelCreaseSharpness has 0 values, expected 1"));
+    EXPECT_THAT(refusalWith({{kCreasesKey, Ints{0, 1, 2}}, {kCreaseSharpnessKey, Floats{1}}}),
+                HasSubstr("TrixelCreases has 3 values, not two a crease"));
+    EXPECT_THAT(refusalWith({{kCreasesKey, Ints{0, 25}}, {kCreaseSharpnessKey, Floats{1}}}),
+                HasSubstr("TrixelCreases names vertex 25, but there are 25"));
+    EXPECT_THAT(refusalWith({{kCreasesKey, Ints{-1, 2}}, {kCreaseSharpnessKey, Floats{1}}}),
+                HasSubstr("names vertex -1"));
+    EXPECT_THAT(refusalWith({{kCreasesKey, Ints{0, 2}}, {kCreaseSharpnessKey, Floats{1}}}),
+                HasSubstr("TrixelCreases has crease 0 between vertices 0 and 2, which share no"));
+    for (const float bad : {0.0F, -1.0F, 11.0F, nan}) {
+        EXPECT_THAT(refusalWith({edge, {kCreaseSharpnessKey, Floats{bad}}}),
+                    HasSubstr("TrixelCreaseSharpness has"));
+    }
+    EXPECT_THAT(refusalWith({{kCreasesKey, std::string("0 1")}}),
+                HasSubstr("TrixelCreases is not"));
+    EXPECT_THAT(refusalWith({{kSharpVerticesKey, Ints{3, 4}}, {kVertexSharpnessKey, Floats{1}}}),
+                HasSubstr("TrixelVertexSharpness has 1 values, expected 2"));
+    EXPECT_THAT(refusalWith({{kSharpVerticesKey, Ints{99}}, {kVertexSharpnessKey, Floats{1}}}),
+                HasSubstr("TrixelSharpVertices names vertex 99"));
+    for (const float bad : {-0.5F, 181.0F, nan}) {
+        EXPECT_THAT(refusalWith({{kCreaseAngleKey, Floats{bad}}}),
+                    HasSubstr("TrixelCreaseAngle is"));
+    }
+    EXPECT_THAT(refusalWith({{kCreaseAngleKey, Floats{1, 2}}}),
+                HasSubstr("TrixelCreaseAngle has 2 values, expected one"));
+}
+
 TEST_F(ProjectFile, savingTwiceGivesTheSameFile)
 {
     ASSERT_TRUE(saveProject(m_path, m_project, m_progress).has_value());

@@ -50,6 +50,28 @@ inline TriangleMesh icosahedron()
     return mesh;
 }
 
+/// Eight vertices at ±1, two triangles a side; vertex 4 z + 2 y + x.
+inline TriangleMesh cube()
+{
+    TriangleMesh mesh;
+    for (int k = 0; k < 8; ++k) {
+        mesh.positions.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    }
+    mesh.triangles = {{0, 2, 3},
+                      {0, 3, 1},
+                      {4, 5, 7},
+                      {4, 7, 6},
+                      {0, 1, 5},
+                      {0, 5, 4},
+                      {2, 6, 7},
+                      {2, 7, 3},
+                      {0, 4, 6},
+                      {0, 6, 2},
+                      {1, 3, 7},
+                      {1, 7, 5}};
+    return mesh;
+}
+
 /// A hexagon of triangles around a raised centre (vertex 0).
 inline TriangleMesh hexagon(float height)
 {

@@ -19,7 +19,8 @@ using testing::HasSubstr;
 std::shared_ptr<const LimitSurface> limitOf(const TriangleMesh& cage,
                                             std::vector<Crease> creases = {})
 {
-    auto surface = LimitSurface::build(cage, creases);
+    auto surface = creases.empty() ? LimitSurface::build(cage)
+                                   : LimitSurface::build(cage, {std::move(creases), {}});
     EXPECT_TRUE(surface.has_value()) << (surface ? "" : surface.error().message);
     return surface.value_or(nullptr);
 }
@@ -222,6 +223,83 @@ TEST(LimitSurface, creasesStayInPlaceAndSharp)
     EXPECT_LT(height, 0.5 * round->at(faceId(0), {0.5, 0.5}).position.z);
 }
 
+/// A cube whose top has creases around it.
+TriangleMesh creasedCube(float sharpness)
+{
+    TriangleMesh cage = cube();
+    cage.sharpness.creases = {
+        {4, 5, sharpness}, {5, 7, sharpness}, {7, 6, sharpness}, {6, 4, sharpness}};
+    return cage;
+}
+
+TEST(LimitSurface, aCreasedCubeKeepsItsEdgeAndSemiSharpOnesLieBetween)
+{
+    // The middle of the edge from 4 to 5, of the top's face 2 and of the side's face 5.
+    const auto middle = [](float sharpness) {
+        return limitOf(creasedCube(sharpness))->at(faceId(2), {0.5, 0}).position;
+    };
+    const auto across = [](float sharpness) {
+        const auto limit = limitOf(creasedCube(sharpness));
+        return glm::dot(limit->at(faceId(2), {0.5, 0}).normal(),
+                        limit->at(faceId(5), {0.5, 0.5}).normal());
+    };
+    EXPECT_NEAR(middle(kSharp).z, 1, 1e-6); // the edge's own curve stays in the top's plane
+    EXPECT_LT(across(kSharp), 0.5);
+    EXPECT_GT(across(0), 1 - 1e-6);
+    double before = limitOf(cube())->at(faceId(2), {0.5, 0}).position.z;
+    for (const float sharpness : {0.5F, 1.0F, 2.0F, 4.0F, 8.0F}) {
+        const double height = middle(sharpness).z;
+        EXPECT_GT(height, before) << sharpness;
+        EXPECT_LT(height, 1) << sharpness;
+        before = height;
+    }
+    EXPECT_EQ(middle(0).z, limitOf(cube())->at(faceId(2), {0.5, 0}).position.z);
+}
+
+TEST(LimitSurface, aSharpVertexStaysWhereItIs)
+{
+    TriangleMesh cage = icosahedron();
+    const glm::dvec3 own(cage.positions[0]);
+    const auto apart = [&](float sharpness) {
+        cage.sharpness.vertices = {{0, sharpness}};
+        return glm::distance(limitOf(cage)->at(faceId(0), {0, 0}).position, own);
+    };
+    EXPECT_LT(apart(kSharp), 1e-6);
+    EXPECT_GT(apart(0), 0.1);
+    EXPECT_GT(apart(1.5F), 1e-3);
+    EXPECT_LT(apart(1.5F), apart(0));
+}
+
+TEST(LimitSurface, anotherSharpnessTakesThePlaceOfTheCagesOwn)
+{
+    const TriangleMesh cage = creasedCube(kSharp);
+    const auto round = LimitSurface::build(cage, {}).value();
+    EXPECT_EQ(round->at(faceId(2), {0.5, 0}).position,
+              limitOf(cube())->at(faceId(2), {0.5, 0}).position);
+}
+
+TEST(LimitSurface, refinementKeepsTheSameCreases)
+{
+    for (const float sharpness : {kSharp, 2.0F}) {
+        const TriangleMesh cage = creasedCube(sharpness);
+        const auto limit = LimitSurface::build(cage).value();
+        const TriangleMesh refined = loopRefined(cage, 4).value();
+        const auto corners = refinedCorners(4);
+        LimitSurface::Evaluator evaluator(*limit);
+        for (std::size_t f = 0; f < cage.faceCount(); ++f) {
+            evaluator.moveTo(faceId(f));
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const auto expected = refined.corners(faceId(f * corners.size() + k));
+                for (std::size_t c = 0; c < 3; ++c) {
+                    EXPECT_LT(
+                        glm::distance(evaluator.position(corners[k][c]), glm::dvec3(expected[c])),
+                        1e-6);
+                }
+            }
+        }
+    }
+}
+
 TEST(LimitSurface, takesEdgesOfThreeFacesAndFacesThatTurnOver)
 {
     TriangleMesh book;
@@ -302,7 +380,7 @@ TEST(LimitSurface, threadsGiveTheSameBits)
 
 std::string refusal(const TriangleMesh& cage, std::vector<Crease> creases = {})
 {
-    const auto limit = LimitSurface::build(cage, creases);
+    const auto limit = LimitSurface::build(cage, {std::move(creases), {}});
     return limit ? "built" : limit.error().message;
 }
 
@@ -322,6 +400,11 @@ TEST(LimitSurface, refusesWhatHasNoLimitAndNamesIt)
     EXPECT_THAT(refusal(regularTetrahedron(), {{0, 1, 2}, {1, 9, 2}}),
                 HasSubstr("crease 2 has vertex 9"));
     EXPECT_THAT(refusal(regularTetrahedron(), {{0, 1, -1}}), HasSubstr("crease 1 has sharpness"));
+    TriangleMesh sharp = regularTetrahedron();
+    sharp.sharpness.vertices = {{3, kSharp}, {4, 1}};
+    EXPECT_THAT(LimitSurface::build(sharp).error().message,
+                HasSubstr("sharp vertex 2 has vertex 4"));
+    EXPECT_THAT(loopRefined(sharp, 1).error().message, HasSubstr("sharp vertex 2 has vertex 4"));
 }
 
 TEST(LimitSurface, fansUpToTheValenceCapAreEvaluated)

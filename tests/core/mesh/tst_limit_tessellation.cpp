@@ -21,7 +21,9 @@ std::shared_ptr<const LimitBends> bendsOf(const TriangleMesh& cage,
                                           std::vector<Crease> creases = {})
 {
     NoProgress progress;
-    return LimitBends::measure(LimitSurface::build(cage, creases).value(), Threads::all(), progress)
+    return LimitBends::measure(LimitSurface::build(cage, {std::move(creases), {}}).value(),
+                               Threads::all(),
+                               progress)
         .value();
 }
 
@@ -300,6 +302,21 @@ TEST(LimitTessellation, creasesStayInTheCut)
     const std::vector<Crease> creases = {{0, 11}, {0, 5}, {0, 1}};
     const auto made = cut(bendsOf(icosahedron(), creases), {ErrorScale::ofWorld(), 0.004});
     EXPECT_LE(measuredError(*made, lookFrom({0, 0, 5})).world, made->error());
+}
+
+TEST(LimitTessellation, semiSharpCreasesAreWithinTheStatedErrorToo)
+{
+    for (const float sharpness : {0.3F, 1.0F, 2.0F, 2.7F, 3.5F, 5.0F, 7.0F, 9.0F, kSharp}) {
+        const std::vector<Crease> creases = {
+            {4, 5, sharpness}, {5, 7, sharpness}, {7, 6, sharpness}, {6, 4, sharpness}};
+        const auto bends = bendsOf(cube(), creases);
+        for (const double error : {0.05, 0.01, 0.002}) {
+            const auto made = cut(bends, {ErrorScale::ofWorld(), error});
+            EXPECT_TRUE(made->error() <= error || isCutFinest(*made));
+            EXPECT_LE(measuredError(*made, lookFrom({0, 0, 5})).world, made->error())
+                << sharpness << " at " << error;
+        }
+    }
 }
 
 TEST(LimitTessellation, canBeCancelled)

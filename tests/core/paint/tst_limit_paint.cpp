@@ -19,7 +19,7 @@ using testing::HasSubstr;
 std::shared_ptr<const LimitMesh> limitOf(const Surface& surface)
 {
     NoProgress progress;
-    return limitToPaintOn(surface, Threads::all(), progress).value();
+    return limitToPaintOn(surface, {}, Threads::all(), progress).value();
 }
 
 FaceMap<Level> levelsOf(std::size_t faces, int least, int most)
@@ -162,6 +162,37 @@ TEST(LimitPaint, aStrokeOnTheCageIsAnother)
     ASSERT_TRUE(replayStrokes(
         std::span(&recorded, 1), surface, zeroFill(limit), limit, Threads{1}, progress));
     EXPECT_FALSE(std::ranges::equal(cage.face(faceId(1)).bytes(), limit.face(faceId(1)).bytes()));
+}
+
+TEST(LimitPaint, creasesAreWhereStrokesFindThem)
+{
+    // The top of a cube that its edges are creases of stays flat, and so as far as it was.
+    const auto surface = surfaceOf(cube());
+    NoProgress progress;
+    const auto heightOf = [&](CreaseAngle creases) {
+        const auto limit = limitToPaintOn(*surface, creases, Threads::all(), progress).value();
+        return limit->raycast({{0.1F, 0.2F, 5}, {0, 0, -1}})->position.z;
+    };
+    EXPECT_NEAR(heightOf(30.0F), 1, 1e-5);
+    EXPECT_LT(heightOf({}), 0.9);
+
+    RecordedStroke recorded{whiteBrush(0.3F),
+                            {{faceId(2), {0.3F, 0.3F}}, {faceId(3), {0.3F, 0.3F}}}};
+    recorded.onLimit = true;
+    std::vector<TexelStore> painted;
+    for (const CreaseAngle creases : {CreaseAngle(), CreaseAngle(30.0F)}) {
+        TexelStore store = coverageStore(levelsOf(12, 5, 5));
+        ASSERT_TRUE(replayStrokes(std::span(&recorded, 1),
+                                  surface,
+                                  zeroFill(store),
+                                  store,
+                                  Threads{1},
+                                  progress,
+                                  creases));
+        painted.push_back(store);
+    }
+    EXPECT_FALSE(
+        std::ranges::equal(painted[0].face(faceId(2)).bytes(), painted[1].face(faceId(2)).bytes()));
 }
 
 TEST(LimitPaint, undoTakesBackAllOfIt)
