@@ -4,12 +4,14 @@
 #include <QApplication>
 #include <QDialog>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 
 #include "core/io/ptx_check.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -179,14 +181,8 @@ Status Stops::exportedTexture()
     std::filesystem::remove(texture);
     m_input.keys(Qt::Key_A);
     m_window.viewport().lookFrom(48, 12, 1.25);
-    m_input.keys(QKeySequence(Qt::CTRL | Qt::Key_E));
-    QDialog* dialog = openDialog();
-    if (Status opened = expect(dialog != nullptr, "Ctrl+E asks where to export"); !opened) {
-        return opened;
-    }
-    m_input.type(*dialog->findChild<QLineEdit*>(), QString::fromStdString(texture.string()));
-    if (Status taken = pictureOf(*dialog, "export"); !taken) {
-        return taken;
+    if (Status asked = askForExport("chameleon.ptx", "export"); !asked) {
+        return asked;
     }
     m_input.keys(Qt::Key_Return);
     const bool written = m_input.waitFor(
@@ -203,6 +199,43 @@ Status Stops::exportedTexture()
         return contentsError("tour: " + texture.string() + ": " + faults->front());
     }
     return picture("exported");
+}
+
+Status Stops::askForExport(const std::string& file, const std::string& pictureName)
+{
+    m_input.keys(QKeySequence(Qt::CTRL | Qt::Key_E));
+    QDialog* dialog = openDialog();
+    if (Status opened = expect(dialog != nullptr, "Ctrl+E asks where to export"); !opened) {
+        return opened;
+    }
+    m_input.type(*dialog->findChild<QLineEdit*>(),
+                 QString::fromStdString((m_folder / file).string()));
+    const auto labels = dialog->findChildren<QLabel*>();
+    const auto size = std::ranges::find(labels, "Size estimate", &QLabel::accessibleName);
+    const bool said = m_input.waitFor(
+        [&] { return size != labels.end() && !(*size)->text().startsWith("Estimating"); });
+    if (Status estimated = expect(said, "the dialog says what the export takes"); !estimated) {
+        return estimated;
+    }
+    return pictureOf(*dialog, pictureName);
+}
+
+/// Out as an atlas; the dialog for meshes is only looked at.
+Status Stops::exportedAtlas()
+{
+    if (Status asked = askForExport("chameleon.glb", "export-mesh"); !asked) {
+        return asked;
+    }
+    m_input.keys(Qt::Key_Escape);
+    if (Status asked = askForExport("chameleon.png", "export-atlas"); !asked) {
+        return asked;
+    }
+    m_input.keys(Qt::Key_Return);
+    const bool written = m_input.waitFor(
+        [&] { return m_window.messages().sentence().startsWith("Exported chameleon.png"); },
+        120'000);
+    return expect(written && std::filesystem::exists(m_folder / "chameleon.json"),
+                  "the atlas is written with what describes it");
 }
 
 } // namespace trixel::app

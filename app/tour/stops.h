@@ -33,6 +33,7 @@ public:
     Status fittedLevels();
     Status newProject();
     Status exportedTexture();
+    Status exportedAtlas();
     Status measuredChart();
     Status bookmarkedViews();
     Status conditionMap();
@@ -54,6 +55,8 @@ private:
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
     Status lowLevels();
+    /// Opens the dialog and asks for a file of that name; pictures it once its size is said.
+    Status askForExport(const std::string& file, const std::string& pictureName);
     Status copiedPicture();
     /// Runs the command that the palette lists first for the words.
     Status command(const QString& words);

@@ -53,8 +53,8 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
           &Stops::conditionMap,    &Stops::errorMap,        &Stops::falseColours,
           &Stops::comparedFilters, &Stops::seamlessTexels,  &Stops::limitSurface,
           &Stops::footprint,       &Stops::seamMeter,       &Stops::faceTable,
-          &Stops::newProject,      &Stops::exportedTexture, &Stops::measuredChart,
-          &Stops::sweptHazards}) {
+          &Stops::newProject,      &Stops::exportedTexture, &Stops::exportedAtlas,
+          &Stops::measuredChart,   &Stops::sweptHazards}) {
         if (Status done = (stops.*stop)(); !done) {
             return done;
         }

@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace trixel {
 
 namespace {
+
+/// Stands for a vertex that no face of the part has.
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 Status checkPart(const Project& project, const ProjectPart& part)
 {
@@ -30,9 +34,36 @@ Status checkPart(const Project& project, const ProjectPart& part)
     return {};
 }
 
+/// Creases along edges of the faces, and sharp vertices of theirs, by their new numbers.
+Sharpness sharpnessOf(const Sharpness& whole,
+                      std::span<const std::uint32_t> numbers,
+                      const TriangleMesh& part)
+{
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const Triangle& t : part.triangles) {
+        for (std::size_t k = 0; k < 3 && !whole.creases.empty(); ++k) {
+            edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+        }
+    }
+    Sharpness sharpness;
+    for (Crease crease : whole.creases) {
+        crease.from = numbers[crease.from];
+        crease.to = numbers[crease.to];
+        if (edges.contains(std::minmax(crease.from, crease.to))) {
+            sharpness.creases.push_back(crease);
+        }
+    }
+    for (SharpVertex vertex : whole.vertices) {
+        vertex.vertex = numbers[vertex.vertex];
+        if (vertex.vertex != kUnused) {
+            sharpness.vertices.push_back(vertex);
+        }
+    }
+    return sharpness;
+}
+
 TriangleMesh meshOfFaces(const TriangleMesh& whole, std::span<const FaceId> faces)
 {
-    constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> numbers(whole.positions.size(), kUnused);
     for (const FaceId face : faces) {
         for (const std::uint32_t vertex : whole.triangles[indexOf(face)]) {
@@ -53,6 +84,7 @@ TriangleMesh meshOfFaces(const TriangleMesh& whole, std::span<const FaceId> face
             mesh.sourceFaces.push_back(whole.sourceFace(face));
         }
     }
+    mesh.sharpness = sharpnessOf(whole.sharpness, numbers, mesh);
     return mesh;
 }
 

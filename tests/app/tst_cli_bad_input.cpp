@@ -69,7 +69,7 @@ TEST_F(BadArguments, anUnknownEndingIsAnsweredWithTheKnownOnes)
     EXPECT_THAT(runTrixel({"info", write("a.fbx", "x")}), FailsWith(kUnusable, ".trixel"));
     EXPECT_THAT(runTrixel({"new", write("a.fbx", "x"), "-o", path("a.trixel")}),
                 FailsWith(kUnusable, ".stl"));
-    EXPECT_THAT(runTrixel({"export", path("a.trixel"), "-o", path("a.png")}),
+    EXPECT_THAT(runTrixel({"export", path("a.trixel"), "-o", path("a.jpg")}),
                 FailsWith(kUnusable, ".ptx"));
     EXPECT_THAT(runTrixel({"new", mesh(), "-o", path("a.ptx")}), FailsWith(kUnusable, ".trixel"));
 }

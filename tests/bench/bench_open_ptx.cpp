@@ -131,7 +131,7 @@ int main(int count, char** arguments)
         paint(document);
         bool isEnded = false;
         QObject::connect(&window.files(), &ProjectFiles::exportEnded, [&] { isEnded = true; });
-        window.files().exportPtx(folder + "/exported.ptx", document.texels().format().type, true);
+        window.files().exportAs({(folder + "/exported.ptx").toStdString(), PtxExportOptions{}, {}});
         waitFor([&] { return isEnded; });
         steps.done("exported");
     }

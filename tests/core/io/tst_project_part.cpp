@@ -46,6 +46,26 @@ TEST(ProjectPart, facesKeepTheirOrderCornersAndTexels)
     EXPECT_LE(mesh.positions.size(), 12U); // no others
 }
 
+TEST(ProjectPart, creasesAndSharpVerticesOfItsFacesComeAlong)
+{
+    NoProgress progress;
+    TriangleMesh mesh = gridMesh(2); // face 0 is 0, 1, 3
+    mesh.sharpness.creases = {{0, 1, 2.5F}, {1, 3, kSharp}, {1, 2, kSharp}};
+    mesh.sharpness.vertices = {{3, 1.5F}, {8, kSharp}};
+    const Project whole = *newProject(mesh,
+                                      planUniform(mesh.faceCount(), Level(0)),
+                                      TexelFormat{TexelType::UInt8, 1, std::nullopt},
+                                      std::array{0.5F},
+                                      progress);
+    const auto part = partOf(whole, {{faceId(0)}, {}}, Threads{1}, progress);
+    ASSERT_TRUE(part);
+    EXPECT_EQ(part->surface->mesh().triangles.at(0), (Triangle{0, 1, 2}));
+    EXPECT_THAT(part->surface->mesh().sharpness.creases,
+                testing::ElementsAre(Crease{0, 1, 2.5F}, Crease{1, 2, kSharp}));
+    EXPECT_THAT(part->surface->mesh().sharpness.vertices,
+                testing::ElementsAre(SharpVertex{2, 1.5F}));
+}
+
 TEST(ProjectPart, channelsArePickedInTheOrderAskedForAndOpacityStaysKnown)
 {
     const Project whole = numbered();
