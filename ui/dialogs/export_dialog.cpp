@@ -252,6 +252,7 @@ void ExportDialog::chooseKind(int kind)
     for (int k = 0; k < m_pages->count(); ++k) {
         if (static_cast<ExportPage*>(m_pages->widget(k))->endings().contains(ending)) {
             m_pages->setCurrentIndex(k);
+            page().setEnding(ending);
         }
     }
     changeEnding(ending);

@@ -181,6 +181,11 @@ MeshPage::MeshPage(QWidget* parent)
     connect(m_powerOfTwo, &QCheckBox::toggled, this, &ExportPage::changed);
 }
 
+void MeshPage::setEnding(const QString& ending)
+{
+    m_image->setEnabled(ending != ".glb"); // has PNG inside
+}
+
 ExportOptions MeshPage::options(const QString& ending) const
 {
     HandOffExportOptions options;

@@ -29,6 +29,8 @@ public:
     virtual QStringList endings() const = 0;
     /// \param ending  of the file, one of `endings` (checked)
     virtual ExportOptions options(const QString& ending) const = 0;
+    /// Which of its endings is chosen: what means nothing for it cannot be set.
+    virtual void setEnding(const QString& /*ending*/) {}
     /// Shows options of this kind; others are passed over.
     virtual void setOptions(const ExportOptions& options) = 0;
 
@@ -82,6 +84,7 @@ public:
 
     QString title() const override { return tr("Mesh with uvs, for other programs"); }
     QStringList endings() const override { return {".glb", ".obj", ".ply"}; }
+    void setEnding(const QString& ending) override;
     ExportOptions options(const QString& ending) const override;
     void setOptions(const ExportOptions& options) override;
 

@@ -163,6 +163,9 @@ private slots:
         kind->setCurrentIndex(kind->findData(".obj"));
         QCOMPARE(path->text(), m_folder.filePath("grid.obj"));
         QVERIFY(named<QSpinBox>(dialog, "Padding")->isVisible());
+        QVERIFY(named<QComboBox>(dialog, "Texture format")->isEnabled());
+        path->setText(m_folder.filePath("grid.glb"));
+        QVERIFY(!named<QComboBox>(dialog, "Texture format")->isEnabled());
     }
 
     void presetsChooseKindAndSettingsUntilSomethingIsChanged()
