@@ -100,6 +100,20 @@ std::vector<std::uint32_t> sourceFacesOf(std::span<const PtxMetadata> items, std
     return faces;
 }
 
+// As tolerant as of source faces, for the same reason.
+std::vector<glm::vec2> cornerUvsOf(std::span<const PtxMetadata> items, std::size_t faceCount)
+{
+    const auto* values = valuesOf<float>(items, kCornerUvsKey);
+    if (!values || values->size() != 6 * faceCount) {
+        return {};
+    }
+    std::vector<glm::vec2> uvs(3 * faceCount);
+    for (std::size_t k = 0; k < uvs.size(); ++k) {
+        uvs[k] = {(*values)[2 * k], (*values)[2 * k + 1]};
+    }
+    return uvs;
+}
+
 } // namespace
 
 bool carriesMesh(std::span<const PtxMetadata> items)
@@ -128,6 +142,7 @@ Result<TriangleMesh> meshOf(std::span<const PtxMetadata> items, std::uint32_t fa
         .and_then([&](std::vector<Triangle> triangles) {
             mesh.triangles = std::move(triangles);
             mesh.sourceFaces = sourceFacesOf(items, faceCount);
+            mesh.cornerUvs = cornerUvsOf(items, faceCount);
             return sharpnessOf(items, mesh);
         })
         .map([&](Sharpness sharpness) {
@@ -162,6 +177,14 @@ std::vector<PtxMetadata> metadataOf(const TriangleMesh& mesh)
     for (PtxMetadata& item : metadataOf(mesh.sharpness)) {
         items.push_back(std::move(item));
     }
+    if (mesh.hasUvs()) {
+        std::vector<float> uvs;
+        uvs.reserve(2 * mesh.cornerUvs.size());
+        for (const glm::vec2& uv : mesh.cornerUvs) {
+            uvs.insert(uvs.end(), {uv.x, uv.y});
+        }
+        items.push_back({kCornerUvsKey, std::move(uvs)});
+    }
     return items;
 }
 
@@ -182,7 +205,8 @@ std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items)
                             kCreaseSharpnessKey,
                             kSharpVerticesKey,
                             kVertexSharpnessKey,
-                            kCreaseAngleKey}) {
+                            kCreaseAngleKey,
+                            kCornerUvsKey}) {
         removeMetadata(items, key);
     }
     return items;

@@ -27,6 +27,8 @@ inline constexpr const char* kSharpVerticesKey = "TrixelSharpVertices";
 inline constexpr const char* kVertexSharpnessKey = "TrixelVertexSharpness";
 /// Degrees; not there where an angle makes no crease.
 inline constexpr const char* kCreaseAngleKey = "TrixelCreaseAngle";
+/// s and t of each face's three corners, NaN for none.
+inline constexpr const char* kCornerUvsKey = "TrixelCornerUvs";
 /// The text of a cameras file: the project's bookmarked views.
 inline constexpr const char* kViewsKey = "TrixelViews";
 

@@ -83,6 +83,10 @@ TriangleMesh meshOfFaces(const TriangleMesh& whole, std::span<const FaceId> face
         if (!whole.sourceFaces.empty()) {
             mesh.sourceFaces.push_back(whole.sourceFace(face));
         }
+        if (whole.hasUvs()) {
+            const auto uvs = whole.uvs(face);
+            mesh.cornerUvs.insert(mesh.cornerUvs.end(), uvs.begin(), uvs.end());
+        }
     }
     mesh.sharpness = sharpnessOf(whole.sharpness, numbers, mesh);
     return mesh;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/check.h"
 #include "core/base/parallel.h"
+#include "core/mesh/corner_uvs.h"
 #include "core/mesh/obj_statement.h"
 #include "core/mesh/obj_tags.h"
 #include "core/mesh/polygon_cutter.h"
@@ -8,6 +9,8 @@
 #include "core/mesh/shared_progress.h"
 #include "core/mesh/text_scanner.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <new>
 
@@ -42,6 +45,7 @@ struct ObjChunk
 
     PolygonList polygons;
     ObjTags tags;
+    UvNumbers uvNumbers; // of the polygons' corners
     Status status;
 };
 
@@ -105,10 +109,14 @@ ObjCounts placeChunks(std::span<ObjChunk> chunks)
 class ObjChunkReader
 {
 public:
-    ObjChunkReader(ObjChunk& chunk, const ObjCounts& totals, std::span<glm::vec3> positions)
+    ObjChunkReader(ObjChunk& chunk,
+                   const ObjCounts& totals,
+                   std::span<glm::vec3> positions,
+                   std::span<glm::vec2> uvs)
         : m_chunk(chunk)
         , m_totals(totals)
         , m_positions(positions)
+        , m_uvs(uvs)
         , m_scanner(scannerOf(chunk))
         , m_seen(chunk.before)
     {
@@ -135,7 +143,7 @@ private:
         case ObjStatement::Face:
             return readFace();
         case ObjStatement::Texture:
-            ++m_seen.textures;
+            readTexture();
             return {};
         case ObjStatement::Normal:
             ++m_seen.normals;
@@ -151,16 +159,22 @@ private:
     }
 
     Status readVertex();
+    void readTexture();
     Status readFace();
     Status readCorner();
     // `number` as the file has it: from 1 on, or from -1 back; `seen` of `total` came so far.
     Status
     checkNumber(const char* what, std::int64_t number, std::int64_t seen, std::int64_t total) const;
-    Status readExtraNumber(const char* what, std::int64_t seen, std::int64_t total);
+    // \param found  set to the place, from 0 on, if there is a number
+    Status readExtraNumber(const char* what,
+                           std::int64_t seen,
+                           std::int64_t total,
+                           std::uint32_t* found = nullptr);
 
     ObjChunk& m_chunk;
     const ObjCounts& m_totals;
     std::span<glm::vec3> m_positions;
+    std::span<glm::vec2> m_uvs;
     TextScanner m_scanner;
     ObjCounts m_seen;
     std::vector<std::uint32_t> m_corners; // of the face at hand
@@ -188,6 +202,15 @@ Status ObjChunkReader::readVertex()
     return {};
 }
 
+// Strict where faces refer to it, but not in its value: what is no number is no place.
+void ObjChunkReader::readTexture()
+{
+    const auto place = static_cast<std::size_t>(m_seen.textures++);
+    check(place < m_uvs.size(), "texture vertices were counted");
+    const float u = m_scanner.finiteFloat().value_or(NAN);
+    m_uvs[place] = {u, m_scanner.finiteFloat().value_or(NAN)};
+}
+
 Status ObjChunkReader::checkNumber(const char* what,
                                    std::int64_t number,
                                    std::int64_t seen,
@@ -206,10 +229,19 @@ Status ObjChunkReader::checkNumber(const char* what,
 }
 
 // After a slash; nothing between slashes is nothing to check.
-Status ObjChunkReader::readExtraNumber(const char* what, std::int64_t seen, std::int64_t total)
+Status ObjChunkReader::readExtraNumber(const char* what,
+                                       std::int64_t seen,
+                                       std::int64_t total,
+                                       std::uint32_t* found)
 {
     const auto number = m_scanner.integerPart();
-    return number ? checkNumber(what, *number, seen, total) : Status();
+    if (!number) {
+        return {};
+    }
+    if (found != nullptr) {
+        *found = static_cast<std::uint32_t>(*number > 0 ? *number - 1 : seen + *number);
+    }
+    return checkNumber(what, *number, seen, total);
 }
 
 Status ObjChunkReader::readCorner()
@@ -223,8 +255,10 @@ Status ObjChunkReader::readCorner()
         !status) {
         return status;
     }
+    std::uint32_t uv = kNoUv;
     if (m_scanner.skipCharacter('/')) {
-        if (auto status = readExtraNumber("a texture vertex", m_seen.textures, m_totals.textures);
+        if (auto status =
+                readExtraNumber("a texture vertex", m_seen.textures, m_totals.textures, &uv);
             !status) {
             return status;
         }
@@ -240,6 +274,9 @@ Status ObjChunkReader::readCorner()
     }
     m_corners.push_back(
         static_cast<std::uint32_t>(*number > 0 ? *number - 1 : m_seen.vertices + *number));
+    if (m_totals.textures > 0) {
+        m_chunk.uvNumbers.push_back(uv);
+    }
     return {};
 }
 
@@ -293,6 +330,15 @@ std::vector<ObjTags> takeTags(std::span<ObjChunk> chunks)
     return parts;
 }
 
+std::vector<UvNumbers> takeUvNumbers(std::span<ObjChunk> chunks)
+{
+    std::vector<UvNumbers> numbers;
+    for (ObjChunk& chunk : chunks) {
+        numbers.push_back(std::move(chunk.uvNumbers));
+    }
+    return numbers;
+}
+
 } // namespace
 
 Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
@@ -304,13 +350,14 @@ Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
         return cancelled();
     }
     const ObjCounts totals = placeChunks(chunks);
-    if (totals.vertices >= kMaxVertices) {
+    if (std::max(totals.vertices, totals.textures) >= kMaxVertices) {
         return contentsError("expected fewer than 2^31 vertices, found " +
-                             std::to_string(totals.vertices));
+                             std::to_string(std::max(totals.vertices, totals.textures)));
     }
     std::vector<glm::vec3> positions(static_cast<std::size_t>(totals.vertices));
+    std::vector<glm::vec2> uvs(static_cast<std::size_t>(totals.textures));
     forEachChunk(chunks, shared, [&](ObjChunk& chunk) {
-        chunk.status = ObjChunkReader(chunk, totals, positions).read();
+        chunk.status = ObjChunkReader(chunk, totals, positions, uvs).read();
     });
     if (!shared.goesOn()) {
         return cancelled();
@@ -330,6 +377,9 @@ Result<TriangleMesh> parseObj(std::string_view bytes, Progress& progress)
         return tl::unexpected(sharpness.error());
     }
     mesh->sharpness = std::move(*sharpness);
+    if (!uvs.empty()) {
+        mesh->cornerUvs = cornerUvs(mesh->triangles, polygons, takeUvNumbers(chunks), uvs);
+    }
     return mesh;
 }
 

@@ -12,7 +12,8 @@ namespace trixel {
 // One strict reader for each format; see `parseMesh` for what they promise.
 
 /// Wavefront OBJ. Faces may refer to vertices that come later in the file, as long as the file has
-/// them in the end. Texture and normal numbers are range-checked, their values are not read; lines,
+/// them in the end. Texture numbers become `cornerUvs`, a value that is no number none; normal
+/// numbers are range-checked, their values are not read; lines,
 /// points, groups, materials, free-form statements and those that programs add for themselves are
 /// skipped; what looks like a damaged vertex or face is refused. A fourth number of a vertex (its
 /// weight) and colours are skipped. Creases and sharp vertices are read from tags (see

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -32,6 +33,9 @@ struct TriangleMesh
     std::vector<std::uint32_t> sourceFaces;
     /// What the file says of subdivision: each edge and each vertex once, edges of the mesh alone.
     Sharpness sharpness = {};
+    /// Places in an image, three a face in the order of its corners: s to the right, t upwards, one
+    /// image a unit. NaN where a corner has none; empty when no corner has one.
+    std::vector<glm::vec2> cornerUvs = {};
 
     std::size_t faceCount() const { return triangles.size(); }
 
@@ -40,6 +44,15 @@ struct TriangleMesh
     {
         const Triangle& t = triangles[indexOf(face)];
         return {positions[t[0]], positions[t[1]], positions[t[2]]};
+    }
+
+    /// Whether some corner has a place in an image.
+    bool hasUvs() const { return !cornerUvs.empty(); }
+    /// Those of V0, V1, V2. The mesh has uvs (`hasUvs`).
+    std::array<glm::vec2, 3> uvs(FaceId face) const
+    {
+        const glm::vec2* first = cornerUvs.data() + 3 * indexOf(face);
+        return {first[0], first[1], first[2]};
     }
 
     std::uint32_t sourceFace(FaceId face) const

@@ -176,6 +176,23 @@ TEST_F(ProjectFile, damagedCreasesAreRefusedByName)
                 HasSubstr("TrixelCreaseAngle has 2 values, expected one"));
 }
 
+TEST_F(ProjectFile, uvsOfTheMeshRoundTrip)
+{
+    TriangleMesh mesh = grid(4);
+    for (std::size_t k = 0; k < 3 * mesh.faceCount(); ++k) {
+        mesh.cornerUvs.emplace_back(static_cast<float>(k) / 7, 1 - static_cast<float>(k));
+    }
+    m_project.surface = Surface::build(mesh, m_progress).value();
+    ASSERT_TRUE(saveProject(m_path, m_project, m_progress).has_value());
+    auto opened = openProject(m_path, m_progress);
+    ASSERT_TRUE(opened.has_value()) << opened.error().message;
+    EXPECT_EQ(opened->surface->mesh().cornerUvs, mesh.cornerUvs);
+    ASSERT_TRUE(exportPtx(m_ptx, *opened, {}, m_progress).has_value());
+    opened = openPtx(m_ptx, m_progress);
+    ASSERT_TRUE(opened.has_value()) << opened.error().message;
+    EXPECT_EQ(opened->surface->mesh().cornerUvs, mesh.cornerUvs);
+}
+
 TEST_F(ProjectFile, savingTwiceGivesTheSameFile)
 {
     ASSERT_TRUE(saveProject(m_path, m_project, m_progress).has_value());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/mesh_reader.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace trixel {
@@ -44,6 +45,45 @@ TEST(ObjReaderTest, skipsWhatItDoesNotNeed)
     ASSERT_TRUE(mesh) << mesh.error().message;
     EXPECT_EQ(mesh->positions.size(), 3U);
     EXPECT_THAT(mesh->triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(ObjReaderTest, cornersKeepTheirPlacesInAnImage)
+{
+    const auto mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25\nvt 1.5 -2 7\nvt 3\n"
+                           "f 1/1 2/2 3/-3\nf 3/2 2 1/3\n");
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh->hasUvs());
+    const auto first = mesh->uvs(faceId(0));
+    EXPECT_THAT(first,
+                ElementsAre(glm::vec2(0.5F, 0.25F), glm::vec2(1.5F, -2), glm::vec2(0.5F, 0.25F)));
+    const auto second = mesh->uvs(faceId(1));
+    EXPECT_EQ(second[0], glm::vec2(1.5F, -2));
+    EXPECT_TRUE(std::isnan(second[1].x)); // none
+    EXPECT_EQ(second[2].x, 3);
+    EXPECT_TRUE(std::isnan(second[2].y)); // only one number
+}
+
+TEST(ObjReaderTest, placesFollowTheCornersOfCutPolygons)
+{
+    std::string text = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\n"
+                       "vt 0 0\nvt 4 0\nvt 4 4\nvt 2 1\nvt 0 4\n"
+                       "f 1/1 2/2 3/3 4/4 5/5\nf 1/1 2/2 3/3\n";
+    const auto mesh = read(text);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_EQ(mesh->faceCount(), 4U);
+    for (std::size_t face = 0; face < 4; ++face) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const glm::vec3 p = mesh->corners(faceId(face))[corner];
+            EXPECT_EQ(mesh->uvs(faceId(face))[corner], glm::vec2(p)) << face << ' ' << corner;
+        }
+    }
+}
+
+TEST(ObjReaderTest, aMeshWhoseCornersNameNoPlaceHasNone)
+{
+    const auto mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1 2 3\n");
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    EXPECT_FALSE(mesh->hasUvs());
 }
 
 TEST(ObjReaderTest, joinsLinesThatEndWithABackslash)
