@@ -23,8 +23,18 @@ constexpr const char* kFooter =
     "Exit status: 0 done, 1 faults found (check, diff), 2 unusable contents or arguments,\n"
     "3 a path that cannot be read or written.";
 
-constexpr AddVerb kVerbs[] = {
-    addNew, addInfo, addCheck, addPaint, addExport, addConvert, addDiff, addSample, addStudy, addFit};
+constexpr AddVerb kVerbs[] = {addNew,
+                              addInfo,
+                              addCheck,
+                              addPaint,
+                              addBake,
+                              addBakeOut,
+                              addExport,
+                              addConvert,
+                              addDiff,
+                              addSample,
+                              addStudy,
+                              addFit};
 
 /// One line, whatever the message holds: file names may contain line breaks.
 std::string onOneLine(std::string text)

@@ -31,5 +31,7 @@ void addDiff(CLI::App& parser, Work& chosen);
 void addSample(CLI::App& parser, Work& chosen);
 void addStudy(CLI::App& parser, Work& chosen);
 void addFit(CLI::App& parser, Work& chosen);
+void addBake(CLI::App& parser, Work& chosen);
+void addBakeOut(CLI::App& parser, Work& chosen);
 
 } // namespace trixel::app
