@@ -33,5 +33,6 @@ void addStudy(CLI::App& parser, Work& chosen);
 void addFit(CLI::App& parser, Work& chosen);
 void addBake(CLI::App& parser, Work& chosen);
 void addBakeOut(CLI::App& parser, Work& chosen);
+void addTransfer(CLI::App& parser, Work& chosen);
 
 } // namespace trixel::app

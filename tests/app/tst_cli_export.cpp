@@ -118,5 +118,31 @@ TEST_F(CliExport, anAtlasOfAnotherMeshIsRefused)
                 FailsWith(2, "it has 4 faces, the mesh 1"));
 }
 
+TEST_F(CliExport, paintGoesOverToAnotherMesh)
+{
+    const std::string from = painted();
+    const std::string mesh = write("moved.obj", "v 0 0 -0.01\nv 1 0 -0.01\nv 0 1 -0.01\nf 1 3 2\n");
+    ASSERT_THAT(runTrixel({"new", mesh, "-o", path("to.trixel"), "--level", "4"}), EndsWith(0));
+    const ProgramRun run = runTrixel(
+        {"transfer", from, path("to.trixel"), "-o", path("got.trixel"), "--distance", "0.1"});
+    ASSERT_THAT(run, EndsWith(0));
+    EXPECT_THAT(run.out, HasSubstr("256 of 256 texels took paint"));
+    EXPECT_THAT(
+        runTrixel(
+            {"transfer", from, path("to.trixel"), "-o", path("no.trixel"), "--distance", "0.001"}),
+        FailsWith(2, "no texel is within 0.001 of"));
+    EXPECT_THAT(runTrixel({"transfer",
+                           from,
+                           path("to.trixel"),
+                           "-o",
+                           path("no.trixel"),
+                           "--distance",
+                           "1",
+                           "--method",
+                           "magic"}),
+                FailsWith(2, "--method"));
+    EXPECT_THAT(files(), testing::Not(testing::Contains("no.trixel")));
+}
+
 } // namespace
 } // namespace trixel::test

@@ -46,10 +46,13 @@ TEST(ProjectPart, facesKeepTheirOrderCornersAndTexels)
     EXPECT_LE(mesh.positions.size(), 12U); // no others
 }
 
-TEST(ProjectPart, creasesAndSharpVerticesOfItsFacesComeAlong)
+TEST(ProjectPart, uvsCreasesAndSharpVerticesOfItsFacesComeAlong)
 {
     NoProgress progress;
     TriangleMesh mesh = gridMesh(2); // face 0 is 0, 1, 3
+    for (std::size_t k = 0; k < 3 * mesh.faceCount(); ++k) {
+        mesh.cornerUvs.emplace_back(static_cast<float>(k), 0.5F);
+    }
     mesh.sharpness.creases = {{0, 1, 2.5F}, {1, 3, kSharp}, {1, 2, kSharp}};
     mesh.sharpness.vertices = {{3, 1.5F}, {8, kSharp}};
     const Project whole = *newProject(mesh,
@@ -60,6 +63,10 @@ TEST(ProjectPart, creasesAndSharpVerticesOfItsFacesComeAlong)
     const auto part = partOf(whole, {{faceId(0)}, {}}, Threads{1}, progress);
     ASSERT_TRUE(part);
     EXPECT_EQ(part->surface->mesh().triangles.at(0), (Triangle{0, 1, 2}));
+    const auto last = partOf(whole, {{faceId(7)}, {}}, Threads{1}, progress);
+    EXPECT_THAT(
+        last->surface->mesh().cornerUvs,
+        testing::ElementsAre(glm::vec2(21, 0.5F), glm::vec2(22, 0.5F), glm::vec2(23, 0.5F)));
     EXPECT_THAT(part->surface->mesh().sharpness.creases,
                 testing::ElementsAre(Crease{0, 1, 2.5F}, Crease{1, 2, kSharp}));
     EXPECT_THAT(part->surface->mesh().sharpness.vertices,

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/resample/transfer_paint.h"
+#include "tests/core/cancel_after.h"
+#include "tests/core/filter/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace trixel;
+using namespace trixel::test;
+
+namespace {
+
+struct Painted
+{
+    std::shared_ptr<const Surface> surface;
+    TexelStore texels;
+
+    Painted(const TriangleMesh& mesh, Level level, const Content& content, int channels = 1)
+        : texels(filledStore(mesh, FaceMap<Level>(mesh.faceCount(), level), content, channels))
+    {
+        NoProgress progress;
+        surface = *Surface::build(mesh, progress);
+    }
+    FilterScene scene() const
+    {
+        NoProgress progress;
+        return *FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
+                                       surface->mesh(), surface->adjacency())),
+                                   texels,
+                                   Threads{1},
+                                   progress);
+    }
+};
+
+double valueAt(const TexelStore& texels, FaceId face, std::uint32_t k)
+{
+
+    float value = 0;
+    decode(texels.format().type, texels.face(face).texel(k), std::span(&value, 1));
+    return double(value);
+}
+
+TransferOptions within(float distance)
+{
+    TransferOptions options;
+    options.maxDistance = distance;
+    return options;
+}
+
+/// From a fine mesh to a coarse one of other faces over the same square: paint that is affine in
+/// space arrives as it was, to within the texels' own blur at borders.
+TEST(TransferPaint, affinePaintArrivesOnOtherFaces)
+{
+    const Content slope = affineContent({0.3, 0.5, 0}, 0.1);
+    const Painted from(jittered(gridMesh(9), 0.02F, 3, true), Level(3), slope);
+    const Painted to(gridMesh(4), Level(3), constantContent(0));
+    NoProgress progress;
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, within(1), progress);
+    ASSERT_TRUE(transfer);
+    EXPECT_EQ(transfer->reached, transfer->total);
+    int compared = 0;
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        const auto corners = to.surface->mesh().corners(faceId(f));
+        for (std::uint32_t k = 0; k < 64; ++k) {
+            const glm::vec2 uv(centroid(Level(3), texelAt(Level(3), TexelIndex(k))));
+            const glm::vec3 at = pointAt(corners, uv.x, uv.y);
+            if (std::min(at.x, at.y) > 0.1F && std::max(at.x, at.y) < 0.9F) {
+                ++compared;
+                EXPECT_NEAR(valueAt(transfer->texels, faceId(f), k),
+                            0.1 + 0.3 * double(at.x) + 0.5 * double(at.y),
+                            2e-3);
+            }
+        }
+    }
+    EXPECT_GT(compared, 1000);
+}
+
+/// Fine checks under large texels average out: the footprint is the texel's own.
+TEST(TransferPaint, largeTexelsAverageWhatLiesUnderThem)
+{
+    const Painted from(gridMesh(8), Level(4), checkerContent(1.0 / 64));
+    const Painted to(gridMesh(2), Level(1), constantContent(0));
+    NoProgress progress;
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, within(1), progress);
+    ASSERT_TRUE(transfer);
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            EXPECT_NEAR(valueAt(transfer->texels, faceId(f), k), 0.5, 0.06);
+        }
+    }
+}
+
+TEST(TransferPaint, whatIsTooFarKeepsItsTexelsAndItsBytes)
+{
+    const Painted from(gridMesh(2), Level(2), constantContent(1));
+    TriangleMesh mesh = gridMesh(2);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        mesh.positions[v].z = mesh.positions[v].x > 0.9F ? 5.0F : 0.1F; // the right side is far
+    }
+    const Painted to(mesh, Level(2), noiseContent(3));
+    NoProgress progress;
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, within(0.2F), progress);
+    ASSERT_TRUE(transfer);
+    EXPECT_GT(transfer->reached, 0U);
+    EXPECT_LT(transfer->reached, transfer->total);
+    std::uint64_t changed = 0;
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        const auto corners = to.surface->mesh().corners(faceId(f));
+        for (std::uint32_t k = 0; k < 16; ++k) {
+            const glm::vec2 uv(centroid(Level(2), texelAt(Level(2), TexelIndex(k))));
+            const bool isNear = pointAt(corners, uv.x, uv.y).z <= 0.2F;
+            changed += isNear ? 1 : 0;
+            EXPECT_EQ(valueAt(transfer->texels, faceId(f), k),
+                      isNear ? 1.0 : valueAt(to.texels, faceId(f), k));
+        }
+    }
+    EXPECT_EQ(changed, transfer->reached);
+    const auto none =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, within(0.01F), progress);
+    EXPECT_EQ(none->reached, 0U);
+    EXPECT_TRUE(none->texels.face(faceId(0)).sharesBytesWith(to.texels.face(faceId(0))));
+}
+
+TEST(TransferPaint, channelsThatThePaintLacksStay)
+{
+    const Painted from(gridMesh(2), Level(1), constantContent(1), 1);
+    const Painted to(gridMesh(2), Level(1), constantContent(0.25F), 3);
+    NoProgress progress;
+    const auto transfer = transferPaint(*from.surface,
+                                        from.scene(),
+                                        *to.surface,
+                                        to.texels,
+                                        within(std::numeric_limits<float>::infinity()),
+                                        progress);
+    ASSERT_TRUE(transfer);
+    const FaceTexels& face = transfer->texels.face(faceId(3));
+    EXPECT_TRUE(face.isConstant());
+    std::array<float, 3> value{};
+    decode(TexelType::Float, face.texel(0), value);
+    EXPECT_EQ(value, (std::array{1.0F, 0.25F, 0.25F}));
+}
+
+TEST(TransferPaint, givesUpWhenCancelled)
+{
+    const Painted from(gridMesh(2), Level(1), constantContent(1));
+    for (int reports = 0; reports < 2; ++reports) {
+        CancelAfter progress(reports);
+        const auto transfer = transferPaint(
+            *from.surface, from.scene(), *from.surface, from.texels, within(1), progress);
+        ASSERT_FALSE(transfer);
+        EXPECT_EQ(transfer.error().kind, ErrorKind::Cancelled);
+    }
+}
+
+} // namespace
