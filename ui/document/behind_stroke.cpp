@@ -41,6 +41,7 @@ std::vector<TouchedRect> wholeFaces(const TexelStore& store, std::span<const Fac
 BehindStroke::BehindStroke(TexelStore store, QThreadPool& thread)
     : m_thread(thread)
     , m_before(store)
+    , m_told(store)
     , m_work(std::make_shared<Work>())
 {
     m_work->store = std::move(store);
@@ -148,7 +149,8 @@ void BehindStroke::takeResult()
     std::ranges::sort(faces);
     std::ranges::set_union(m_touched, faces, std::back_inserter(all));
     m_touched = std::move(all);
-    emit advanced(m_work->store, touched);
+    m_told = m_work->store;
+    emit advanced(m_told, touched);
     if (m_work->patch) {
         emit finished(*m_work->patch);
     } else if (!m_waiting.empty() || m_ended) {

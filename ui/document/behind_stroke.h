@@ -51,6 +51,8 @@ public:
 
     /// The texels before the change.
     const TexelStore& before() const { return m_before; }
+    /// The texels that `advanced` told last.
+    const TexelStore& told() const { return m_told; }
     /// What `advanced` has told so far; each face once.
     std::vector<TouchedRect> touched() const;
 
@@ -72,6 +74,7 @@ private:
 
     QThreadPool& m_thread;
     TexelStore m_before;
+    TexelStore m_told;
     std::shared_ptr<Work> m_work; ///< belongs to the other thread while a job runs
     QFutureWatcher<void> m_watcher;
     std::optional<StrokeDabs> m_dabs; ///< of a stroke

@@ -186,7 +186,9 @@ private:
     void settle(TexelPatch& applied);
     void doLater();
     void play(const KeptStroke& kept);
-    void takeBackPending();
+    std::unique_ptr<BehindStroke> takeBackPending();
+    std::unique_ptr<BehindStroke> hideBehind();
+    void resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& command);
     void pushPending(const QString& text);
     void fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color);
     void swapPatch(TexelPatch& patch);

@@ -68,19 +68,39 @@ void Document::endBehind()
 /// Nothing of it stays; what waited for it goes on.
 void Document::dropBehind()
 {
-    if (!m_behind) {
-        return;
+    if (m_behind) {
+        hideBehind().release()->deleteLater(); // it may be telling something
     }
+}
+
+/// The same, but what it was painted by may go on out of sight.
+std::unique_ptr<BehindStroke> Document::hideBehind()
+{
     const std::vector<TouchedRect> touched = m_behind->touched();
-    m_project.texels = m_behind->before();
-    m_behind->disconnect(this);
-    m_behind.release()->deleteLater(); // it may be telling something
+    std::unique_ptr<BehindStroke> hidden = std::move(m_behind);
+    hidden->disconnect(this);
+    m_project.texels = hidden->before();
     m_pending = nullptr;
     emit settled(false);
     if (!touched.empty()) {
         emit changed({touched});
     }
     doLater();
+    return hidden;
+}
+
+/// What was undone while it settled is wanted again before it is done.
+void Document::resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& command)
+{
+    cancelStroke();
+    m_texelsBeforePending = state().texels;
+    m_pending = &command;
+    m_project.texels = work->told();
+    const std::vector<TouchedRect> touched = work->touched();
+    watch(std::move(work));
+    if (!touched.empty()) {
+        emit changed({touched});
+    }
 }
 
 void Document::settle(TexelPatch& applied)
@@ -137,13 +157,13 @@ void Document::pushPending(const QString& text)
 }
 
 /// An undo while something is settling takes back what was done last: what waits, if anything does.
-void Document::takeBackPending()
+/// \return  what was settling, if that was taken back
+std::unique_ptr<BehindStroke> Document::takeBackPending()
 {
     const auto last = std::ranges::find_if(m_later.rbegin(), m_later.rend(), &Later::isEdit);
     const bool keepsSettling = m_kept || last != m_later.rend();
     if (!keepsSettling) {
-        dropBehind();
-        return;
+        return hideBehind();
     }
     if (m_kept) {
         m_kept.reset();
@@ -161,6 +181,7 @@ void Document::takeBackPending()
             }
         },
         Qt::QueuedConnection);
+    return nullptr;
 }
 
 } // namespace trixel::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/pending_stroke.h"
 
+#include "ui/document/behind_stroke.h"
+
 #include <utility>
 
 namespace trixel::ui {
@@ -11,6 +13,8 @@ PendingStroke::PendingStroke(Document& document, StateId state, const QString& t
 {
 }
 
+PendingStroke::~PendingStroke() = default;
+
 void PendingStroke::undo()
 {
     if (m_patch) {
@@ -18,16 +22,45 @@ void PendingStroke::undo()
         m_applied = false;
         return;
     }
-    setObsolete(true);
     if (!m_isVoid) {
-        m_document.takeBackPending();
+        m_unwanted = m_document.takeBackPending();
     }
+    if (!m_unwanted) {
+        setObsolete(true);
+        return;
+    }
+    m_applied = false;
+    QObject::connect(m_unwanted.get(),
+                     &BehindStroke::finished,
+                     m_unwanted.get(),
+                     [this](TexelPatch& applied) { settleUndone(applied); });
+}
+
+/// Keeps what it comes to, in the place of what it replaced.
+void PendingStroke::settleUndone(TexelPatch& applied)
+{
+    TexelStore after = m_unwanted->told();
+    m_unwanted.release()->deleteLater(); // it is telling this
+    if (applied.isEmpty()) {
+        makeVoid();
+        return;
+    }
+    applied.swap(after);
+    settle(std::move(applied));
 }
 
 void PendingStroke::redo()
 {
-    if (!std::exchange(m_applied, true)) {
+    if (std::exchange(m_applied, true)) {
+        return; // pushed
+    }
+    if (m_patch) {
         m_document.swapPatch(*m_patch);
+    } else if (m_unwanted) {
+        m_unwanted->disconnect();
+        m_document.resumePending(std::move(m_unwanted), *this);
+    } else {
+        setObsolete(true); // it came to nothing
     }
 }
 

@@ -4,13 +4,16 @@
 #include "core/texture/texel_patch.h"
 #include "ui/document/document_step.h"
 
+#include <memory>
 #include <optional>
 #include <utility>
 
 namespace trixel::ui {
 
+class BehindStroke;
+
 /// Undo command of a change that is still being made on another thread when it is pushed. Undone
-/// before it is there the change is dropped, and the command with it.
+/// before it is there the change is made all the same, out of sight: to be redone at any time.
 class PendingStroke : public DocumentStep
 {
 public:
@@ -21,12 +24,17 @@ public:
     /// The change came to nothing: undone, the command goes without a trace.
     void makeVoid() { m_isVoid = true; }
 
+    ~PendingStroke() override;
+
     void undo() override;
     void redo() override;
 
 private:
+    void settleUndone(TexelPatch& applied);
+
     Document& m_document;
-    std::optional<TexelPatch> m_patch; ///< none while it is being made
+    std::optional<TexelPatch> m_patch;        ///< none while it is being made
+    std::unique_ptr<BehindStroke> m_unwanted; ///< what makes it while it is undone
     bool m_applied = true;
     bool m_isVoid = false;
 };

@@ -120,10 +120,116 @@ private slots:
         QCOMPARE(settled.at(0).at(0).toBool(), false);
         QVERIFY(!m_document->hasStroke());
         QCOMPARE(texels(), first); // and the one before it is still there
-        QCOMPARE(stack().count(), 1);
+        QCOMPARE(stack().index(), 1);
         QTest::qWait(50);
         QCOMPARE(texels(), first);
         QCOMPARE(m_document->state(), state);
+    }
+
+    void undoneWhileItSettlesAStrokeCanBeRedone_data()
+    {
+        QTest::addColumn<int>("wait");
+        QTest::newRow("at once") << 0;
+        QTest::newRow("in the middle") << 5;
+        QTest::newRow("when it would have settled") << 300;
+    }
+    void undoneWhileItSettlesAStrokeCanBeRedone()
+    {
+        QFETCH(int, wait);
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        QVERIFY(m_document->isSettling());
+        const StateId before = m_document->state();
+        stack().undo();
+        QTest::qWait(wait);
+        QCOMPARE(texels(), m_before);
+        QVERIFY(stack().canRedo());
+        stack().redo();
+        waitUntilSettled();
+        QCOMPARE(texels(), plainTexels());
+        QVERIFY(m_document->state() != before);
+        QCOMPARE(stack().count(), 1);
+        for (int k = 0; k < 2; ++k) {
+            stack().undo();
+            QCOMPARE(texels(), m_before);
+            QCOMPARE(m_document->state(), before);
+            stack().redo();
+            QCOMPARE(texels(), plainTexels());
+        }
+    }
+
+    void undoneAndRedoneOverAndOverItSettlesOnce()
+    {
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        for (int k = 0; k < 6; ++k) {
+            stack().undo();
+            QCOMPARE(texels(), m_before);
+            QTest::qWait(k);
+            stack().redo();
+            QTest::qWait(k);
+        }
+        waitUntilSettled();
+        QCOMPARE(texels(), plainTexels());
+        QCOMPARE(stack().count(), 1);
+    }
+
+    void undoneItGoesForGoodWhenSomethingElseIsDone()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        stack().undo();
+        paint(*m_document, wideBrush(0.4F), StrokePace::Behind);
+        paint(*m_plain, wideBrush(0.4F), StrokePace::AtOnce);
+        waitUntilSettled();
+        QCOMPARE(texels(), plainTexels());
+        QVERIFY(!stack().canRedo());
+        QCOMPARE(stack().count(), 1);
+        stack().undo();
+        QCOMPARE(texels(), m_before);
+    }
+
+    void undoneWithOthersBelowItComesBackOnTopOfThem()
+    {
+        for (Document* document : {m_document.get(), m_plain.get()}) {
+            paint(*document, wideBrush(0.5F), StrokePace::AtOnce);
+        }
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        stack().undo();
+        stack().undo();
+        QCOMPARE(texels(), m_before);
+        stack().redo();
+        QCOMPARE(texels(), plainTexels());
+        stack().redo();
+        waitUntilSettled();
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        QCOMPARE(texels(), plainTexels());
+    }
+
+    void aStrokeThatChangesNothingCanBeUndoneAndRedoneToo()
+    {
+        Brush brush = wideBrush();
+        brush.blend = BlendMode::Erase; // what is there already
+        paint(*m_document, brush, StrokePace::Behind);
+        stack().undo();
+        QTest::qWait(200);
+        stack().redo();
+        waitUntilSettled();
+        QCOMPARE(stack().count(), 0);
+        QCOMPARE(texels(), m_before);
+        QVERIFY(!m_document->isModified());
+    }
+
+    void aDocumentMayCloseWithAnUndoneOneStillBeingMade()
+    {
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        stack().undo();
+        m_document->open(gridProject(3, 2), {}, "other");
+        const std::vector<std::byte> other = texels();
+        QTest::qWait(50);
+        QCOMPARE(texels(), other);
+        paint(*m_document, wideBrush(), StrokePace::Behind);
+        stack().undo();
+        m_document.reset();
     }
 
     void cancelledAStrokeLeavesNothing()
