@@ -23,9 +23,47 @@ std::uint16_t packed(double value)
     return static_cast<std::uint16_t>(std::lround((0.5 * value + 0.5) * 65535));
 }
 
+/// Where a face's corners are, and how long its edges.
+struct FaceSize
+{
+    std::array<glm::dvec3, 3> corners{};
+    std::array<double, 3> lengths{};
+};
+
+FaceSize sizeOf(const std::array<glm::vec3, 3>& corners)
+{
+    FaceSize size;
+    for (std::size_t k = 0; k < 3; ++k) {
+        size.corners[k] = glm::dvec3(corners[k]);
+        size.lengths[k] = glm::length(glm::dvec3(corners[(k + 1) % 3] - corners[k]));
+    }
+    return size;
+}
+
+/// Along its curved edges.
+FaceSize sizeOn(const LimitTessellation& limit, FaceId face)
+{
+    const std::span<const LimitVertex> border = limit.vertices(face);
+    const CutRates& rates = limit.rates(face);
+    const std::size_t around = std::size_t{rates.edges[0]} + rates.edges[1] + rates.edges[2];
+    FaceSize size;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        size.corners[k] = glm::dvec3(border[at].position);
+        for (int piece = 0; piece < rates.edges[k]; ++piece, ++at) {
+            const glm::vec3 next = border[(at + 1) % around].position;
+            size.lengths[k] += glm::length(glm::dvec3(next - border[at].position));
+        }
+    }
+    return size;
+}
+
 } // namespace
 
-FilterMesh::FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const TexelStore& store)
+FilterMesh::FilterMesh(const TriangleMesh& mesh,
+                       Adjacency adjacency,
+                       const TexelStore& store,
+                       const LimitTessellation* limit)
     : m_adjacency(std::move(adjacency))
     , m_rings(m_adjacency)
 {
@@ -40,10 +78,12 @@ FilterMesh::FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const Texe
                                       : kBorder);
         }
     }
-    measure(mesh, store);
+    measure(mesh, store, limit);
 }
 
-void FilterMesh::measure(const TriangleMesh& mesh, const TexelStore& store)
+void FilterMesh::measure(const TriangleMesh& mesh,
+                         const TexelStore& store,
+                         const LimitTessellation* limit)
 {
     struct Sums
     {
@@ -57,9 +97,9 @@ void FilterMesh::measure(const TriangleMesh& mesh, const TexelStore& store)
     std::vector<Sums> sums(mesh.positions.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
         const Triangle& triangle = mesh.triangles[f];
-        const auto corners = mesh.corners(faceId(f));
+        const FaceSize size = limit ? sizeOn(*limit, faceId(f)) : sizeOf(mesh.corners(faceId(f)));
         const glm::dvec3 twice =
-            glm::cross(glm::dvec3(corners[1] - corners[0]), glm::dvec3(corners[2] - corners[0]));
+            glm::cross(size.corners[1] - size.corners[0], size.corners[2] - size.corners[0]);
         for (std::size_t k = 0; k < 3; ++k) {
             Sums& own = sums[triangle[k]];
             own.levels += store.face(faceId(f)).level().log2();
@@ -68,7 +108,7 @@ void FilterMesh::measure(const TriangleMesh& mesh, const TexelStore& store)
             own.area += glm::length(twice);
             // An edge that two faces share counts once.
             const std::uint32_t across = m_across[3 * f + k];
-            const double length = glm::length(glm::dvec3(corners[(k + 1) % 3] - corners[k]));
+            const double length = size.lengths[k];
             if ((across == kBorder || across >> 2U > f) && length > 0) {
                 const double log2Length = std::log2(length);
                 for (Sums* end : {&own, &sums[triangle[(k + 1) % 3]]}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/limit_tessellation.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/mesh/vertex_rings.h"
 #include "core/texture/texel_store.h"
@@ -32,7 +33,11 @@ public:
     static constexpr std::uint32_t kBorder = 0xFFFFFFFFU;
 
     /// \param store  of the mesh's faces (checked); only its levels count
-    FilterMesh(const TriangleMesh& mesh, Adjacency adjacency, const TexelStore& store);
+    /// \param limit  of the mesh, where that is looked at: sizes and turns are its own
+    FilterMesh(const TriangleMesh& mesh,
+               Adjacency adjacency,
+               const TexelStore& store,
+               const LimitTessellation* limit = nullptr);
 
     std::size_t faceCount() const { return m_across.size() / 3; }
     const Adjacency& adjacency() const { return m_adjacency; }
@@ -43,7 +48,7 @@ public:
     const std::vector<std::uint32_t>& across() const { return m_across; }
 
 private:
-    void measure(const TriangleMesh& mesh, const TexelStore& store);
+    void measure(const TriangleMesh& mesh, const TexelStore& store, const LimitTessellation* limit);
 
     Adjacency m_adjacency;
     VertexRings m_rings;

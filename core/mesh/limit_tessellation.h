@@ -67,6 +67,12 @@ public:
     {
         return faceId(m_vertices[m_triangles[triangle][0]].face);
     }
+    /// Those of one face, in the order of `CutPattern::points`: its border first.
+    std::span<const LimitVertex> vertices(FaceId face) const
+    {
+        const std::uint32_t first = m_firstVertex[indexOf(face)];
+        return vertices().subspan(first, m_firstVertex[indexOf(face) + 1] - first);
+    }
     /// How a face is cut.
     const CutRates& rates(FaceId face) const { return m_rates[indexOf(face)]; }
     /// Most units of error of faces in view.
