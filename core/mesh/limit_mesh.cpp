@@ -24,7 +24,7 @@ LimitMesh::LimitMesh(std::shared_ptr<const LimitTessellation> tessellation, Thre
     m_bvh = Bvh(m_mesh, threads);
 }
 
-SurfacePoint LimitMesh::onLimit(const SurfacePoint& p) const
+SurfacePoint LimitMesh::onLimit(const SurfacePoint& p, LimitSurface::Evaluator& evaluator) const
 {
     const Triangle& t = m_mesh.triangles[indexOf(p.face)];
     const auto uvAt = [&](std::uint32_t vertex) {
@@ -35,14 +35,22 @@ SurfacePoint LimitMesh::onLimit(const SurfacePoint& p) const
     SurfacePoint result;
     result.face = m_tessellation->faceOf(indexOf(p.face));
     result.uv = insideTriangle(uv);
-    result.position = glm::vec3(surface().at(result.face, glm::dvec2(result.uv)).position);
+    evaluator.moveTo(result.face);
+    result.position = glm::vec3(evaluator.position(glm::dvec2(result.uv)));
     return result;
 }
 
 std::optional<SurfacePoint> LimitMesh::raycast(const Ray& ray) const
 {
+    LimitSurface::Evaluator evaluator(surface());
+    return raycast(ray, evaluator);
+}
+
+std::optional<SurfacePoint> LimitMesh::raycast(const Ray& ray,
+                                               LimitSurface::Evaluator& evaluator) const
+{
     const auto hit = m_bvh.raycast(ray);
-    return hit ? std::optional(onLimit(*hit)) : std::nullopt;
+    return hit ? std::optional(onLimit(*hit, evaluator)) : std::nullopt;
 }
 
 void LimitMesh::facesWithin(glm::vec3 centre, float radius, std::vector<FaceId>& faces) const
@@ -61,7 +69,8 @@ void LimitMesh::facesWithin(glm::vec3 centre, float radius, std::vector<FaceId>&
 std::optional<SurfacePoint> LimitMesh::closestPoint(glm::vec3 position, float maxDistance) const
 {
     const auto nearest = m_bvh.closestPoint(position, maxDistance);
-    return nearest ? std::optional(onLimit(*nearest)) : std::nullopt;
+    LimitSurface::Evaluator evaluator(surface());
+    return nearest ? std::optional(onLimit(*nearest, evaluator)) : std::nullopt;
 }
 
 } // namespace trixel

@@ -31,6 +31,9 @@ public:
 
     /// What a ray meets first; see `Bvh::raycast`.
     std::optional<SurfacePoint> raycast(const Ray& ray) const;
+    /// The same; faster for rays that meet the same face one after the other.
+    /// \param evaluator  of `surface()`; afterwards at the face that was met
+    std::optional<SurfacePoint> raycast(const Ray& ray, LimitSurface::Evaluator& evaluator) const;
 
     /// Appends the faces whose triangles come within `radius` of `centre`, ascending, each once.
     void facesWithin(glm::vec3 centre, float radius, std::vector<FaceId>& faces) const;
@@ -40,7 +43,7 @@ public:
 
 private:
     explicit LimitMesh(std::shared_ptr<const LimitTessellation> tessellation, Threads threads);
-    SurfacePoint onLimit(const SurfacePoint& onTriangle) const;
+    SurfacePoint onLimit(const SurfacePoint& onTriangle, LimitSurface::Evaluator& evaluator) const;
 
     std::shared_ptr<const LimitTessellation> m_tessellation;
     TriangleMesh m_mesh;

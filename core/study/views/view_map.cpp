@@ -10,19 +10,45 @@
 
 namespace trixel {
 
+namespace {
+
+float conditionOf(const FilterQueries& queries,
+                  std::size_t i,
+                  const std::array<glm::vec3, 3>& flatFace)
+{
+    const Footprint footprint{{queries.uw1[i], queries.vw1[i]}, {queries.uw2[i], queries.vw2[i]}};
+    return static_cast<float>(describe(footprint, flatFace, Level(0)).condition);
+}
+
+constexpr std::size_t kGrain = 256; // queries
+
+} // namespace
+
 void footprintConditions(const Surface& surface,
                          const FilterQueries& queries,
                          Threads threads,
                          std::span<float> conditions)
 {
-    constexpr std::size_t kGrain = 256;
     check(conditions.size() == queries.size(), "room for every condition");
     parallelFor(queries.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Footprint footprint{{queries.uw1[i], queries.vw1[i]},
-                                      {queries.uw2[i], queries.vw2[i]}};
-            const auto corners = surface.mesh().corners(queries.face[i]);
-            conditions[i] = static_cast<float>(describe(footprint, corners, Level(0)).condition);
+            conditions[i] = conditionOf(queries, i, surface.mesh().corners(queries.face[i]));
+        }
+    });
+}
+
+void footprintConditions(const LimitSurface& limit,
+                         const FilterQueries& queries,
+                         Threads threads,
+                         std::span<float> conditions)
+{
+    check(conditions.size() == queries.size(), "room for every condition");
+    parallelFor(queries.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+        LimitSurface::Evaluator evaluator(limit);
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::dvec2 uv(queries.u[i], queries.v[i]);
+            evaluator.moveTo(queries.face[i]);
+            conditions[i] = conditionOf(queries, i, evaluator.at(uv).tangentFace(uv));
         }
     });
 }

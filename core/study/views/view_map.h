@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/filter/filter_method.h"
+#include "core/mesh/limit_surface.h"
 #include "core/mesh/surface.h"
 
 #include <span>
@@ -20,6 +21,12 @@ inline constexpr std::string_view kExactMethod = "exact";
 /// where it is round, infinite where it is a line.
 /// \param conditions  one a query (checked)
 void footprintConditions(const Surface& surface,
+                         const FilterQueries& queries,
+                         Threads threads,
+                         std::span<float> conditions);
+
+/// The same on the limit surface, as it lies at each query.
+void footprintConditions(const LimitSurface& limit,
                          const FilterQueries& queries,
                          Threads threads,
                          std::span<float> conditions);

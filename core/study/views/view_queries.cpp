@@ -96,17 +96,60 @@ bool isCovered(const Surface& surface, const SceneViews& views, glm::dvec3 point
     return std::ranges::any_of(views.distant, reaches) || std::ranges::any_of(views.cameras, shows);
 }
 
-ViewQueries rowQueries(const Surface& surface, const ViewCamera& camera, const BlockRow& row)
+/// What rays meet of a cage, and the flat face that is there.
+class CageSight
+{
+public:
+    explicit CageSight(const Surface& surface)
+        : m_surface(surface)
+    {
+    }
+    std::optional<SurfacePoint> meet(const PixelRay& ray) const { return seenBy(m_surface, ray); }
+    std::array<glm::vec3, 3> flatFace(const SurfacePoint& at) const
+    {
+        return m_surface.mesh().corners(at.face);
+    }
+
+private:
+    const Surface& m_surface;
+};
+
+/// The same of its limit surface; for one thread.
+class LimitSight
+{
+public:
+    explicit LimitSight(const LimitMesh& limit)
+        : m_limit(limit)
+        , m_evaluator(limit.surface())
+    {
+    }
+    std::optional<SurfacePoint> meet(const PixelRay& ray)
+    {
+        return m_limit.raycast({glm::vec3(ray.origin), glm::vec3(ray.direction)}, m_evaluator);
+    }
+    std::array<glm::vec3, 3> flatFace(const SurfacePoint& at)
+    {
+        m_evaluator.moveTo(at.face);
+        return m_evaluator.at(glm::dvec2(at.uv)).tangentFace(glm::dvec2(at.uv));
+    }
+
+private:
+    const LimitMesh& m_limit;
+    LimitSurface::Evaluator m_evaluator;
+};
+
+template <class Sight>
+ViewQueries rowQueries(Sight sight, const ViewCamera& camera, const BlockRow& row)
 {
     ViewQueries found;
     row.forEach([&](int x, int y) {
         ++found.asked;
         const PixelRay ray = camera.pixelRay(x + 0.5, y + 0.5);
-        const auto hit = seenBy(surface, ray);
+        const auto hit = sight.meet(ray);
         if (!hit) {
             return;
         }
-        const Footprint footprint = screenFootprint(ray, surface.mesh().corners(hit->face));
+        const Footprint footprint = screenFootprint(ray, sight.flatFace(*hit));
         found.pixel.push_back(static_cast<std::uint32_t>(y) *
                                   static_cast<std::uint32_t>(camera.width) +
                               static_cast<std::uint32_t>(x));
@@ -115,13 +158,12 @@ ViewQueries rowQueries(const Surface& surface, const ViewCamera& camera, const B
     return found;
 }
 
-} // namespace
-
-Result<ViewQueries> viewQueries(const Surface& surface,
-                                const ViewCamera& camera,
-                                PixelSubset subset,
-                                Threads threads,
-                                Progress& progress)
+/// \param rowOf  the queries of a row of blocks
+Result<ViewQueries> allRows(const ViewCamera& camera,
+                            PixelSubset subset,
+                            Threads threads,
+                            Progress& progress,
+                            const std::function<ViewQueries(const BlockRow&)>& rowOf)
 {
     constexpr std::size_t kRowsBetweenReports = 32;
     const std::size_t rows = blockRows(camera, subset);
@@ -134,7 +176,7 @@ Result<ViewQueries> viewQueries(const Surface& surface,
         std::vector<ViewQueries> parts(count);
         parallelFor(count, 1, threads, [&](std::size_t from, std::size_t to) {
             for (std::size_t k = from; k < to; ++k) {
-                parts[k] = rowQueries(surface, camera, BlockRow(camera, subset, begin + k));
+                parts[k] = rowOf(BlockRow(camera, subset, begin + k));
             }
         });
         for (const ViewQueries& part : parts) {
@@ -142,6 +184,30 @@ Result<ViewQueries> viewQueries(const Surface& surface,
         }
     }
     return all;
+}
+
+} // namespace
+
+Result<ViewQueries> viewQueries(const Surface& surface,
+                                const ViewCamera& camera,
+                                PixelSubset subset,
+                                Threads threads,
+                                Progress& progress)
+{
+    return allRows(camera, subset, threads, progress, [&](const BlockRow& row) {
+        return rowQueries(CageSight(surface), camera, row);
+    });
+}
+
+Result<ViewQueries> viewQueries(const LimitMesh& limit,
+                                const ViewCamera& camera,
+                                PixelSubset subset,
+                                Threads threads,
+                                Progress& progress)
+{
+    return allRows(camera, subset, threads, progress, [&](const BlockRow& row) {
+        return rowQueries(LimitSight(limit), camera, row);
+    });
 }
 
 bool isCovered(const Surface& surface,

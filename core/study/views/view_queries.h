@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/filter/filter_queries.h"
+#include "core/mesh/limit_mesh.h"
 #include "core/mesh/surface.h"
 #include "core/study/views/view_camera.h"
 
@@ -38,6 +39,13 @@ struct ViewQueries
 /// number of threads. Fails only when cancelled.
 /// \param camera  valid (see `validate`)
 Result<ViewQueries> viewQueries(const Surface& surface,
+                                const ViewCamera& camera,
+                                PixelSubset subset,
+                                Threads threads,
+                                Progress& progress);
+
+/// The same of a limit surface: the points are its own, the footprints those of its derivatives.
+Result<ViewQueries> viewQueries(const LimitMesh& limit,
                                 const ViewCamera& camera,
                                 PixelSubset subset,
                                 Threads threads,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/views/view_queries.h"
+#include "tests/core/mesh/cages.h"
 #include "tests/core/test_meshes.h"
 
 #include <gmock/gmock.h>
@@ -24,6 +25,65 @@ ViewQueries seen(const Surface& surface,
 }
 
 const ViewCamera kFront{"front", {0.5, 0.5, 2}, {0.5, 0.5, 0}, {0, 1, 0}, 40, 120, 80};
+
+std::shared_ptr<const LimitMesh> limitOf(const Surface& surface)
+{
+    NoProgress progress;
+    const auto bends =
+        LimitBends::measure(LimitSurface::build(surface.mesh()).value(), Threads{2}, progress);
+    const auto cut = LimitTessellation::make(
+        *bends, {ErrorScale::ofWorld(), 1e-4}, nullptr, Threads{2}, progress);
+    return LimitMesh::build(*cut);
+}
+
+TEST(ViewQueries, ofALimitSurfaceAreItsPointsAndItsDerivatives)
+{
+    const auto surface = surfaceOf(test::icosahedron());
+    const auto limit = limitOf(*surface);
+    const ViewCamera camera{"front", {0.3, 0.2, 6}, {0, 0, 0}, {0, 1, 0}, 40, 60, 60};
+    NoProgress progress;
+    const auto found = viewQueries(*limit, camera, {}, Threads{2}, progress);
+    ASSERT_TRUE(found);
+    ASSERT_GT(found->size(), 500U);
+    EXPECT_LT(found->size(), seen(*surface, camera).size()); // it lies within the cage
+    int checked = 0;
+    for (std::size_t i = 0; i < found->size(); ++i) {
+        const FaceId face = found->queries.face[i];
+        const glm::dvec2 uv(found->queries.u[i], found->queries.v[i]);
+        const LimitPoint point = limit->surface().at(face, uv);
+        const auto at = camera.project(point.position);
+        ASSERT_TRUE(at);
+        EXPECT_NEAR(at->x, found->pixel[i] % 60 + 0.5, 0.05);
+        const glm::dvec2 w1(found->queries.uw1[i], found->queries.vw1[i]);
+        const double facing =
+            glm::dot(point.normal(), glm::normalize(camera.position - point.position));
+        if (facing < 0.3 || std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < 0.05) {
+            continue; // near its outline, and where derivatives are approximate
+        }
+        ++checked;
+        constexpr double h = 1e-4;
+        const auto pixel = [&](double part) {
+            return *camera.project(limit->surface().at(face, uv + part * w1).position);
+        };
+        const glm::dvec2 step = (pixel(h) - pixel(-h)) / (2 * h);
+        EXPECT_NEAR(step.x, 1, 1e-2);
+        EXPECT_NEAR(step.y, 0, 1e-2);
+    }
+    EXPECT_GT(checked, 300);
+}
+
+TEST(ViewQueries, ofALimitSurfaceDoNotDependOnThreads)
+{
+    const auto surface = surfaceOf(test::icosahedron());
+    const auto limit = limitOf(*surface);
+    const ViewCamera camera{"front", {0.3, 0.2, 6}, {0, 0, 0}, {0, 1, 0}, 40, 60, 60};
+    NoProgress progress;
+    const auto one = viewQueries(*limit, camera, {2, 1}, Threads{1}, progress);
+    const auto many = viewQueries(*limit, camera, {2, 1}, Threads{3}, progress);
+    ASSERT_TRUE(one && many);
+    EXPECT_EQ(one->pixel, many->pixel);
+    EXPECT_EQ(one->queries.uw1, many->queries.uw1);
+}
 
 TEST(ViewQueries, pixelsAndTheirCentresAgree)
 {
