@@ -9,6 +9,7 @@
 #include "ui/document/behind_stroke.h"
 #include "ui/document/pending_stroke.h"
 #include "ui/document/stored_faces_watch.h"
+#include "ui/document/swap_creases.h"
 #include "ui/document/swap_patch.h"
 #include "ui/document/swap_store.h"
 #include "ui/document/swap_views.h"
@@ -166,9 +167,7 @@ void Document::beginStroke(const Brush& brush,
     }
 }
 
-void Document::start(const Brush& brush,
-                     StrokePace pace,
-                     std::shared_ptr<const LimitMesh> limit)
+void Document::start(const Brush& brush, StrokePace pace, std::shared_ptr<const LimitMesh> limit)
 {
     m_brush = brush;
     m_strokeErases = brush.blend == BlendMode::Erase;
@@ -366,10 +365,34 @@ void Document::swapViews(SceneViews& views)
 void Document::pushViews(SceneViews next, const QString& text)
 {
     endStroke();
+    m_undo.push(new SwapViews(*this, std::move(next), withOtherViews(), text)); // the stack owns it
+}
+
+/// The next state, of the same texels.
+StateId Document::withOtherViews()
+{
     // Those of the step below, even if its last texel is not there yet.
     const std::uint64_t texels = m_pending != nullptr ? m_pending->state().texels : state().texels;
-    const StateId following{texels, ++m_lastState};
-    m_undo.push(new SwapViews(*this, std::move(next), following, text)); // the stack owns it
+    return {texels, ++m_lastState};
+}
+
+void Document::setCreaseAngle(CreaseAngle angle, bool goesOn)
+{
+    check(!angle || (*angle >= 0 && *angle <= 180), "an angle between two directions");
+    if (!isOpen() || angle == creaseAngle()) {
+        return;
+    }
+    endStroke();
+    const QString text =
+        angle ? tr("Creases from %1°").arg(double{*angle}) : tr("No creases by angle");
+    m_undo.push(new SwapCreases(*this, angle, goesOn, withOtherViews(), text)); // the stack owns it
+}
+
+void Document::swapCreases(CreaseAngle& angle)
+{
+    cancelStroke();
+    std::swap(m_project.creaseAngle, angle);
+    emit creasesChanged();
 }
 
 void Document::exchange(TexelPatch& patch)

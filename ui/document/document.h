@@ -40,19 +40,19 @@ enum class StrokePace {
     Behind  ///< by and by, on another thread: for dabs so large that the window would be held up
 };
 
-/// Names a state of the document: equal names mean equal texels and equal views. Unlike a position
-/// in the undo stack it stays true when undone commands are thrown away.
+/// Names a state of the document: equal names mean equal texels, views and creases. Unlike a
+/// position in the undo stack it stays true when undone commands are thrown away.
 struct StateId
 {
     std::uint64_t texels = 0; ///< equal ones mean equal texels, whatever the views
-    std::uint64_t views = 0;
+    std::uint64_t views = 0;  ///< and creases
 
     bool operator==(const StateId&) const = default;
 };
 
 /// Owns the open project and one undo stack; pushing a command is the only lasting way to change
-/// texels and bookmarked views. A stroke in progress shows at once and becomes one command when it
-/// ends.
+/// texels, bookmarked views and creases. A stroke in progress shows at once and becomes one command
+/// when it ends.
 class Document : public QObject
 {
     Q_OBJECT
@@ -84,6 +84,13 @@ public:
     /// The views bookmarked in the project; changed through this, one undo step a change.
     ViewBookmarks& bookmarks() { return *m_bookmarks; }
     const ViewBookmarks& bookmarks() const { return *m_bookmarks; }
+
+    /// From which the limit surface has creases beside those of the mesh.
+    CreaseAngle creaseAngle() const { return m_project.creaseAngle; }
+    /// One undo step.
+    /// \param angle   in [0, 180] (checked)
+    /// \param goesOn  whether it becomes one step with a change of the angle right before
+    void setCreaseAngle(CreaseAngle angle, bool goesOn = false);
 
     QUndoStack& undoStack() { return m_undo; }
     QString path() const { return m_path; }
@@ -147,6 +154,8 @@ signals:
     void changed(const trixel::ui::Change& change);
     /// Faces have other levels; follows `changed`.
     void levelsChanged();
+    /// The limit surface has other creases.
+    void creasesChanged();
     void modifiedChanged(bool modified);
     void titleChanged();
     /// Dabs that texels will have later: of a stroke painted behind.
@@ -160,6 +169,7 @@ signals:
 
 private:
     friend class PendingStroke;
+    friend class SwapCreases;
     friend class SwapPatch;
     friend class SwapStore;
     /// A stroke drawn while another was settling.
@@ -200,6 +210,8 @@ private:
     friend class SwapViews;
     friend class ViewBookmarks;
     void swapViews(SceneViews& views);
+    StateId withOtherViews();
+    void swapCreases(CreaseAngle& angle);
     /// \param next  valid views, other than the present ones
     void pushViews(SceneViews next, const QString& text);
     void announceModified();

@@ -19,6 +19,10 @@ public:
 
     StateId state() const { return m_state; }
 
+protected:
+    /// Another, of a step that became one with this.
+    void setState(StateId state) { m_state = state; }
+
 private:
     StateId m_state;
 };

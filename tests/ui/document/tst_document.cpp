@@ -72,6 +72,52 @@ private slots:
         QCOMPARE(m_document->undoStack().count(), 1);
     }
 
+    void aCreaseAngleIsOneUndoStepAndPartOfTheState()
+    {
+        QSignalSpy changed(m_document.get(), &Document::creasesChanged);
+        const StateId before = m_document->state();
+        m_document->setCreaseAngle(30);
+        QCOMPARE(m_document->creaseAngle(), CreaseAngle(30.0F));
+        QCOMPARE(m_document->snapshot().creaseAngle, CreaseAngle(30.0F));
+        QCOMPARE(m_document->state().texels, before.texels);
+        QVERIFY(m_document->state() != before);
+        m_document->setCreaseAngle(30); // no change
+        QCOMPARE(m_document->undoStack().count(), 1);
+        m_document->setCreaseAngle({});
+        QCOMPARE(m_document->undoStack().count(), 2);
+        QCOMPARE(changed.size(), 2);
+        m_document->undoStack().undo();
+        QCOMPARE(m_document->creaseAngle(), CreaseAngle(30.0F));
+        m_document->undoStack().undo();
+        QVERIFY(!m_document->creaseAngle());
+        QCOMPARE(m_document->state(), before);
+        QVERIFY(!m_document->isModified());
+    }
+
+    void changesOfTheAngleThatGoOnAreOneStepUnlessSomethingCameBetween()
+    {
+        m_document->setCreaseAngle(30);
+        m_document->setCreaseAngle(40, true);
+        m_document->setCreaseAngle(50, true);
+        QCOMPARE(m_document->undoStack().count(), 1);
+        m_document->markSaved("grid.trixel", m_document->state());
+        QVERIFY(!m_document->isModified());
+        m_document->setCreaseAngle(60, true);
+        QVERIFY(m_document->isModified());
+        m_document->undoStack().undo();
+        QVERIFY(!m_document->creaseAngle());
+        QVERIFY(m_document->isModified()); // the saved one had 50
+        m_document->undoStack().redo();
+        QCOMPARE(m_document->creaseAngle(), CreaseAngle(60.0F));
+        paint(*m_document);
+        m_document->setCreaseAngle(70, true);
+        QCOMPARE(m_document->undoStack().count(), 3);
+        m_document->undoStack().undo();
+        m_document->undoStack().undo();
+        QCOMPARE(m_document->creaseAngle(), CreaseAngle(60.0F));
+        QVERIFY(facesThatDiffer(m_document->texels(), m_before).empty());
+    }
+
     void undoAndRedoAreExactToTheBit()
     {
         const std::vector<std::byte> start = allTexels(m_document->texels());
