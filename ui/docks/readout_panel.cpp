@@ -102,8 +102,6 @@ QLayout* ReadoutPanel::makeHeader()
     m_address->setToolTip(tr("Address of the texel: face, then (i, j) and the half of the cell"));
     m_address->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_address->setMargin(2);
-    m_address->setMinimumWidth(1);
-    m_address->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_hold = new QToolButton;
     m_hold->setCheckable(true);
     m_hold->setToolTip(tr("Hold the texel, so that the pointer can go elsewhere; arrow keys in the "
@@ -114,7 +112,7 @@ QLayout* ReadoutPanel::makeHeader()
     m_copy->setToolTip(tr("Copy the texel as text, hex bytes or JSON"));
     m_copy->setPopupMode(QToolButton::InstantPopup);
     m_copy->setEnabled(false);
-    row->addWidget(m_address, 1);
+    row->addWidget(new SteadyLabel(m_address, {}), 1);
     row->addWidget(m_hold);
     row->addWidget(m_copy);
     connect(m_hold, &QToolButton::clicked, this, [this](bool wanted) {
@@ -212,7 +210,7 @@ QLabel& ReadoutPanel::addRow(QFormLayout& form,
     value->setToolTip(toolTip);
     value->setAccessibleName(name);
     value->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse); // while a pointer is on it
     auto* room = new SteadyLabel(value, {});
     if (beside != nullptr) {
         auto* row = new QHBoxLayout;

@@ -25,6 +25,10 @@ constexpr double kDarkLine = 1.6;
 constexpr double kLightLine = 0.7;
 constexpr double kLineAlpha = 0.35;
 
+/// Pixels of a row in one texel that are worth finding out how many they are.
+constexpr double kLeastRun = 4;
+constexpr double kCostOfRuns = 0.3;
+
 struct Sample
 {
     PackedPixel pixel;
@@ -122,6 +126,7 @@ public:
         const glm::dvec2 perY = m_toTexels.y;
         m_pixels = {1 / std::hypot(perX.x, perY.x), 1 / std::hypot(perX.y, perY.y)};
         m_pixelsAcross = 1 / std::hypot(perX.x + perX.y, perY.x + perY.y);
+        measureRuns();
     }
 
     void paint(QRgb* line, int y, int left, int right) const
@@ -129,13 +134,74 @@ public:
         const glm::dvec2 start = m_toTexels.point({0.5, y + 0.5});
         narrowDown(start, left, right);
         for (int x = left; x <= right; ++x) {
+            if (m_hasRuns) {
+                x += paintRun(line + x, start + static_cast<double>(x) * m_toTexels.x, x, y, right);
+                if (x > right) {
+                    break;
+                }
+            }
             const glm::dvec2 p = start + static_cast<double>(x) * m_toTexels.x;
             const QRgb color = over(colorOf(p, x, y), line[x]);
             line[x] = m_paint.grid > 0 ? lined(color, p) : color;
         }
     }
 
+    /// Parts of the time that pixels take where they are drawn one by one.
+    double cost() const { return m_hasRuns ? kCostOfRuns : 1; }
+
 private:
+    /// How much of a texel is neither drawn with another nor with a line.
+    void measureRuns()
+    {
+        const double line = m_paint.grid > 0 ? 0.5 * kDarkLine * m_paint.unit + 0.5 + kSlack : 0;
+        m_margin = glm::max(m_reach, line / m_pixels);
+        m_marginAcross = std::max(m_reachAcross, line / m_pixelsAcross);
+        // Rows through the middle of what is left are so many pixels long.
+        const double left = 1 - 2 * std::max({m_margin.x, m_margin.y, m_marginAcross});
+        m_hasRuns = left / std::max(m_reach.x, m_reach.y) > kLeastRun;
+    }
+
+    /// Draws pixels that are all of one texel, from the first on. \return  how many
+    int paintRun(QRgb* pixels, glm::dvec2 p, int x, int y, int right) const
+    {
+        const glm::dvec2 in = inCell(p);
+        double length = right - x;
+        // value >= margin for so many steps
+        const auto keep = [&length](double value, double step, double margin) {
+            if (value < margin) {
+                length = -1;
+            } else if (step < 0) {
+                length = std::min(length, (margin - value) / step);
+            }
+        };
+        const glm::dvec2 step = m_toTexels.x;
+        keep(in.x, step.x, m_margin.x);
+        keep(1 - in.x, -step.x, m_margin.x);
+        keep(in.y, step.y, m_margin.y);
+        keep(1 - in.y, -step.y, m_margin.y);
+        if constexpr (kTriangles) {
+            const double across = in.x + in.y - 1;
+            const double sign = across < 0 ? -1 : 1;
+            keep(sign * across, sign * (step.x + step.y), m_marginAcross);
+        }
+        if (length < 1) {
+            return 0;
+        }
+        const Sample sample = sampleAt(p);
+        if (isMark(m_shades.at(m_texels, sample.pixel))) [[unlikely]] {
+            return 0; // no two pixels alike
+        }
+        const QRgb color = colorOf(sample, x, y);
+        const int count = static_cast<int>(length) + 1;
+        if (qAlpha(color) == 255) {
+            std::fill_n(pixels, count, color);
+        } else {
+            std::transform(
+                pixels, pixels + count, pixels, [color](QRgb below) { return over(color, below); });
+        }
+        return count;
+    }
+
     /// Leaves of the columns those whose middle is in the face.
     void narrowDown(glm::dvec2 start, int& left, int& right) const
     {
@@ -240,6 +306,9 @@ private:
     double m_reachAcross = 0;  ///< the same of x + y
     glm::dvec2 m_pixels;       ///< between lines of the grid
     double m_pixelsAcross = 0; ///< the same of those along x + y
+    glm::dvec2 m_margin;       ///< of a texel that is not drawn in runs
+    double m_marginAcross = 0; ///< the same of x + y
+    bool m_hasRuns = false;
 };
 
 template <bool kTriangles>
@@ -252,8 +321,9 @@ void paintRows(QImage& image,
     uchar* const bits = image.bits();
     const qsizetype bytesPerLine = image.bytesPerLine();
     constexpr std::size_t kGrain = 16;
-    constexpr int kWorthAThread = 40000;
-    const Threads used = area.width() * area.height() < kWorthAThread ? Threads{1} : threads;
+    constexpr double kWorthAThread = 40000;
+    const double work = painter.cost() * area.width() * area.height();
+    const Threads used = work < kWorthAThread ? Threads{1} : threads;
     parallelFor(static_cast<std::size_t>(area.height()),
                 kGrain,
                 used,

@@ -37,6 +37,18 @@ QColor colorOf(glm::vec4 color)
     return QColor::fromRgbF(color.r, color.g, color.b);
 }
 
+/// Qt shares out large shapes that let something through to threads, and waits: that takes longer
+/// than drawing them. What would be drawn so is mixed with the ground instead.
+QColor mixed(const QColor& ground, const QColor& color, float part)
+{
+    const auto mix = [part](float a, float b) { return a + part * (b - a); };
+    return QColor::fromRgbF(mix(ground.redF(), color.redF()),
+                            mix(ground.greenF(), color.greenF()),
+                            mix(ground.blueF(), color.blueF()));
+}
+
+constexpr QColor kHalo(30, 32, 36);
+
 bool isDark(const QPalette& palette)
 {
     return palette.color(QPalette::Base).lightness() < 128;
@@ -282,8 +294,8 @@ void NetPainter::paintTexelEdges()
 
 void NetPainter::paintFaceEdges()
 {
-    QColor color = m_palette.color(QPalette::Text);
-    color.setAlphaF(0.7F);
+    const QColor color =
+        mixed(m_palette.color(QPalette::Base), m_palette.color(QPalette::Text), 0.7F);
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(color);
     std::vector<QLineF> drawn; // most are edges of two faces
@@ -328,8 +340,7 @@ QPolygonF NetPainter::parallelogram(glm::dvec2 centre, glm::dvec2 w1, glm::dvec2
 void NetPainter::strokeHaloed(const QPolygonF& line, const QColor& color, double width, bool dashed)
 {
     m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(
-        QPen(QColor(10, 12, 16, 190), width + 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    m_painter.setPen(QPen(kHalo, width + 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     m_painter.drawPolyline(line);
     m_painter.setPen(
         QPen(color, width, dashed ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

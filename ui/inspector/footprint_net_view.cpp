@@ -33,6 +33,7 @@ FootprintNetView::FootprintNetView(QWidget* parent)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Footprint laid flat"));
     setAccessibleDescription(tr("The faces about the footprint in one plane, their texels coloured "
                                 "by weight, with W1, W2 and the ellipse"));
@@ -256,6 +257,7 @@ void FootprintNetView::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
     if (!m_picture) {
+        painter.fillRect(rect(), palette().color(QPalette::Window));
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(
             rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap, m_hint);

@@ -41,6 +41,14 @@ glm::dvec2 toVector(QPointF p)
     return {p.x(), p.y()};
 }
 
+/// Qt shares out long lines that let something through to threads, and waits: that takes longer
+/// than drawing them.
+QColor solid(QColor color)
+{
+    color.setAlpha(255);
+    return color;
+}
+
 glm::dvec2 centroidOf(const FaceLayout& layout)
 {
     return (layout.corner(0) + layout.corner(1) + layout.corner(2)) / 3.0;
@@ -265,7 +273,7 @@ void LayoutPainter::drawEdges(QPainter& painter) const
         } else if (const auto line = clipped(edgeLine(layout, edge), around)) {
             lines.push_back(*line);
         }
-        painter.setPen(QPen(m_ink.halo, 4.5, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(solid(m_ink.halo), 4.5, Qt::SolidLine, Qt::RoundCap));
         painter.drawLines(lines.data(), static_cast<int>(lines.size()));
         painter.setPen(QPen(m_ink.edge(edge), 2.5, Qt::SolidLine, Qt::RoundCap));
         painter.drawLines(lines.data(), static_cast<int>(lines.size()));

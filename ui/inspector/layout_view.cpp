@@ -239,7 +239,8 @@ LayoutView::Rooms LayoutView::roomsIn(const QRectF& area, const LayoutInk& ink) 
 
 void LayoutView::fitSight()
 {
-    const QRectF plane = roomsIn(rect(), LayoutInk(palette(), font())).plane;
+    m_rooms = roomsIn(rect(), LayoutInk(palette(), font()));
+    const QRectF plane = m_rooms.plane;
     const double room = std::min({kRoomForNames, plane.width() / 6, plane.height() / 6});
     const QRectF inside = plane.adjusted(room, room, -room, -room);
     m_sight.setView({inside.left(), inside.top()},
@@ -367,11 +368,20 @@ void LayoutView::renderBase()
     m_base.fill(ink.background);
     m_isStale = false;
     fitSight(); // the heading may have other lines
-    const QRectF plane = roomsIn(rect(), ink).plane;
+    const QRectF plane = m_rooms.plane;
     askFilter(plane);
-    if (!m_scene) {
-        return;
+    if (m_scene) {
+        drawScene(ink, plane);
     }
+    m_base.setDevicePixelRatio(ratio);
+    QPainter painter(&m_base);
+    drawHeading(painter, m_rooms.heading, ink);
+}
+
+/// What is seen of the faces, into the kept picture.
+void LayoutView::drawScene(const LayoutInk& ink, const QRectF& plane)
+{
+    const double ratio = devicePixelRatioF();
     const std::vector<Part> parts = partsOf(plane, rect());
     const PlaneMap map = m_sight.map();
     for (const Part& part : parts) {
@@ -400,15 +410,13 @@ void LayoutView::paintEvent(QPaintEvent* /*event*/)
     const LayoutInk ink(palette(), font());
     QPainter painter(this);
     painter.drawImage(0, 0, m_base);
-    const Rooms rooms = roomsIn(rect(), ink);
     if (m_scene) {
         if (const auto& texel = m_sources.inspection.texel()) {
-            painterFor({rooms.plane, &m_sources.faces, &*m_scene}, m_sight.map(), ink)
+            painterFor({m_rooms.plane, &m_sources.faces, &*m_scene}, m_sight.map(), ink)
                 .drawInspected(painter, *texel, m_sources.inspection.isHeld());
         }
     }
-    drawHeading(painter, rooms.heading, ink);
-    drawFooter(painter, rooms.footer, ink);
+    drawFooter(painter, m_rooms.footer, ink);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));

@@ -142,6 +142,7 @@ private:
     QString caption() const;
     void fitSight();
     void renderBase();
+    void drawScene(const LayoutInk& ink, const QRectF& plane);
     LayoutPainter painterFor(const Part& part, const PlaneMap& toView, const LayoutInk& ink) const;
     void drawHeading(QPainter& painter, const QRectF& area, const LayoutInk& ink) const;
     void drawFooter(QPainter& painter, const QRectF& area, const LayoutInk& ink) const;
@@ -158,6 +159,7 @@ private:
     NetFilter* m_filter = nullptr;
     PlaneSight m_sight;
     LayoutMarks m_marks;
+    Rooms m_rooms; ///< of the widget
     QImage m_base; ///< all but what changes with the texel looked at
     bool m_isStale = true;
     Drag m_drag = Drag::None;

@@ -34,6 +34,7 @@ MipView::MipView(MipFocus& focus, const ViewSettings& settings, QWidget* parent)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Levels of the face, side by side"));
     const auto redraw = qOverload<>(&QWidget::update);
@@ -113,6 +114,7 @@ bool MipView::event(QEvent* event)
 void MipView::paintEvent(QPaintEvent* /*event*/)
 {
     QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Window));
     const std::vector<MipCell> all = cells();
     if (all.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
