@@ -7,6 +7,9 @@
 #include "core/texture/texel_codec.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace trixel {
@@ -40,10 +43,68 @@ auto meanOfFour(const std::array<const std::byte*, 4>& from, std::size_t channel
     }
 }
 
+/// Where the four texels below a coarser one lie, in bytes, and how far on they are for the next
+/// one of its row.
 template <ReductionRule kRule>
-std::array<PackedPixel, 4> pixelsBelow(Level fine, PackedPixel coarse)
+struct Below
 {
-    return kRule == ReductionRule::Box ? boxPixels(coarse) : finerPixels(fine, coarse);
+    std::array<std::ptrdiff_t, 4> first{};
+    std::array<std::ptrdiff_t, 4> step{};
+
+    Below(Level fine, PackedPixel coarse, std::size_t texelBytes)
+    {
+        const auto offsets = [&](PackedPixel pixel) {
+            const auto below =
+                kRule == ReductionRule::Box ? boxPixels(pixel) : finerPixels(fine, pixel);
+            std::array<std::ptrdiff_t, 4> result{};
+            std::ranges::transform(below, result.begin(), [&](PackedPixel finer) {
+                return static_cast<std::ptrdiff_t>(
+                    (std::size_t{finer.y} * fine.resolution() + finer.x) * texelBytes);
+            });
+            return result;
+        };
+        first = offsets(coarse);
+        if (coarse.x + 1U < fine.coarser().resolution()) {
+            const auto next = offsets({static_cast<std::uint16_t>(coarse.x + 1), coarse.y});
+            std::ranges::transform(next, first, step.begin(), std::minus<>());
+        }
+    }
+};
+
+/// \tparam kChannels  of a texel, or 0 where that is known only when it runs
+template <TexelType kType, ReductionRule kRule, std::size_t kChannels>
+void reduceRows(const TexelFormat& format,
+                Level fine,
+                std::span<const std::byte> source,
+                std::span<std::byte> target)
+{
+    // The fourth texel walks down a column as x grows: small squares keep those rows in cache.
+    constexpr std::uint32_t kTile = 32;
+    const std::uint32_t resolution = fine.coarser().resolution();
+    const std::size_t channels = kChannels > 0 ? kChannels : format.channels;
+    const std::size_t texelBytes = format.texelBytes();
+    const auto reduceRow = [&](std::uint32_t left, std::uint32_t y, std::uint32_t right) {
+        const PackedPixel pixel{static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(y)};
+        Below<kRule> below(fine, pixel, texelBytes);
+        std::byte* to = target.data() + (std::size_t{y} * resolution + left) * texelBytes;
+        for (std::uint32_t x = left; x < right; ++x, to += texelBytes) {
+            std::array<const std::byte*, 4> from{};
+            for (std::size_t k = 0; k < from.size(); ++k) {
+                from[k] = source.data() + below.first[k];
+                below.first[k] += below.step[k];
+            }
+            for (std::size_t channel = 0; channel < channels; ++channel) {
+                saveStored(to, channel, meanOfFour<kType>(from, channel));
+            }
+        }
+    };
+    for (std::uint32_t tileY = 0; tileY < resolution; tileY += kTile) {
+        for (std::uint32_t tileX = 0; tileX < resolution; tileX += kTile) {
+            for (std::uint32_t y = tileY; y < std::min(tileY + kTile, resolution); ++y) {
+                reduceRow(tileX, y, std::min(tileX + kTile, resolution));
+            }
+        }
+    }
 }
 
 template <TexelType kType, ReductionRule kRule>
@@ -52,30 +113,15 @@ void reduceFull(const TexelFormat& format,
                 std::span<const std::byte> source,
                 std::span<std::byte> target)
 {
-    // The fourth texel walks down a column as x grows: small squares keep those rows in cache.
-    constexpr std::uint32_t kTile = 32;
-    const std::uint32_t resolution = fine.coarser().resolution();
-    const std::size_t texelBytes = format.texelBytes();
-    const auto reduceTexel = [&](std::uint32_t x, std::uint32_t y) {
-        const PackedPixel pixel{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
-        std::array<const std::byte*, 4> from{};
-        const std::array<PackedPixel, 4> below = pixelsBelow<kRule>(fine, pixel);
-        std::ranges::transform(below, from.begin(), [&](PackedPixel finer) {
-            return source.data() + indexOf(texelIndex(fine, finer)) * texelBytes;
-        });
-        std::byte* to = target.data() + (std::size_t{y} * resolution + x) * texelBytes;
-        for (std::size_t channel = 0; channel < format.channels; ++channel) {
-            saveStored(to, channel, meanOfFour<kType>(from, channel));
-        }
-    };
-    for (std::uint32_t tileY = 0; tileY < resolution; tileY += kTile) {
-        for (std::uint32_t tileX = 0; tileX < resolution; tileX += kTile) {
-            for (std::uint32_t y = tileY; y < std::min(tileY + kTile, resolution); ++y) {
-                for (std::uint32_t x = tileX; x < std::min(tileX + kTile, resolution); ++x) {
-                    reduceTexel(x, y);
-                }
-            }
-        }
+    switch (format.channels) {
+    case 1:
+        return reduceRows<kType, kRule, 1>(format, fine, source, target);
+    case 3:
+        return reduceRows<kType, kRule, 3>(format, fine, source, target);
+    case 4:
+        return reduceRows<kType, kRule, 4>(format, fine, source, target);
+    default:
+        return reduceRows<kType, kRule, 0>(format, fine, source, target);
     }
 }
 
