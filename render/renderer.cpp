@@ -235,7 +235,8 @@ void Renderer::drawSide(const Scene& scene, Filtering filtering, Side texels, Si
                     source == FilterSource::Vertices ? shown.vertices.card() : shown.card,
                     m_cardLook,
                     preview,
-                    source == FilterSource::Atlas ? &shown.atlas.card() : nullptr);
+                    source == FilterSource::Atlas ? &shown.atlas.card() : nullptr,
+                    &shown.card);
     m_gl->glBindVertexArray(m_vertexArray);
     this->picture(picture).draw();
     m_gl->glBindVertexArray(0);

@@ -82,7 +82,9 @@ QStringList piecesOf(std::size_t variant)
     case Filtering::Seamless:
         return {QStringLiteral("filter_vertices.glsl"), QStringLiteral("filter_seamless.glsl")};
     case Filtering::Anisotropic:
-        return {QStringLiteral("filter_vertices.glsl"), QStringLiteral("filter_anisotropic.glsl")};
+        return {QStringLiteral("filter_vertices.glsl"),
+                QStringLiteral("filter_texels.glsl"),
+                QStringLiteral("filter_anisotropic.glsl")};
     case Filtering::Texels:
     case Filtering::LowerHalf:
         break;
@@ -167,6 +169,8 @@ Status SurfacePass::makeProgram(std::size_t variant, bool isLimit)
     program.setUniformValue("scales", 9);
     program.setUniformValue("across", 10);
     program.setUniformValue("atlas", 11);
+    program.setUniformValue("texelRecords", 12);
+    program.setUniformValue("faceTexels", 13);
     const std::array<QVector3D, 5> marks{QVector3D(),
                                          vectorOf(markColor(Mark::Clipped)),
                                          vectorOf(markColor(Mark::Negative)),
@@ -281,7 +285,8 @@ void SurfacePass::draw(const Camera& camera,
                        SurfaceTexels& texels,
                        const CardLook& look,
                        PaintPreview* preview,
-                       SurfaceAtlas* atlas)
+                       SurfaceAtlas* atlas,
+                       SurfaceTexels* own)
 {
     if (m_faceCount == 0 || (atlas == nullptr ? texels.isEmpty() : atlas->isEmpty())) {
         return;
@@ -310,6 +315,9 @@ void SurfacePass::draw(const Camera& camera,
         atlas->bind(3, 11);
     } else {
         texels.bind(3, 4);
+    }
+    if (possible.filtering == Filtering::Anisotropic && own != nullptr && !own->isEmpty()) {
+        own->bind(12, 13);
     }
     m_faceColors.bind(5);
     m_scale.bind(6);

@@ -75,7 +75,8 @@ public:
               SurfaceTexels& texels,
               const CardLook& look,
               PaintPreview* preview = nullptr,
-              SurfaceAtlas* atlas = nullptr);
+              SurfaceAtlas* atlas = nullptr,
+              SurfaceTexels* own = nullptr);
 
     /// Compiles the programs of every style, for tests; otherwise each waits for its first use.
     Status makeAllPrograms();

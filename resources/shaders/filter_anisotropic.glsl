@@ -3,10 +3,6 @@
 // core/filter/probe_plan.h. A probe is a place on the screen beside the pixel, followed over the
 // mesh: across an edge it is seen in the neighbour's plane, so that both sides of the edge ask for
 // the same places.
-uniform usamplerBuffer across;    // three a face: neighbour << 2 | its edge, or all bits
-uniform usamplerBuffer triangles; // three mesh vertices a face
-uniform samplerBuffer positions;  // xyz a mesh vertex
-uniform usamplerBuffer records;
 uniform mat4 toClip;
 uniform vec2 halfViewport; // device pixels
 uniform float probeSpacing; // in sigmas of a probe, of a round footprint
@@ -15,14 +11,17 @@ uniform float probeSupport; // in sigmas of the weights
 uniform float probeThinnest;
 uniform int probesAside; // at most, of one side
 
-const uint kBorder = 0xffffffffu;
 const int kMostHops = 8;
+// Where the sum over places of texels gives way to probes: how far it reaches, in heights of faces,
+// because it knows but the faces about; and how much longer than wide the footprint is.
+const vec2 kNearFace = vec2(1.6, 1.9);
+const vec2 kNotThin = vec2(4.0, 6.0);
 
-// A position as the pixel sees it: pixels from its centre, times w, and w.
-vec3 fromPixel(uint vertex)
+// A position on the screen: pixels from a place, times w, and w.
+vec3 onScreen(uint vertex, vec2 place)
 {
     vec4 clip = toClip * vec4(texelFetch(positions, int(vertex)).xyz, 1.0);
-    return vec3(clip.xy * halfViewport + (halfViewport - gl_FragCoord.xy) * clip.w, clip.w);
+    return vec3(clip.xy * halfViewport - place * clip.w, clip.w);
 }
 
 // The share that the end of an edge has of the edge's point nearest to a place on the screen: the
@@ -39,7 +38,7 @@ float alongEdge(vec2 at, vec3 start, vec3 end)
     return ofEnd / (ofEnd + (1.0 - t) * end.z);
 }
 
-vec4 probe(vec2 offset, vec3 c0, vec3 c1, vec3 c2, float level)
+vec4 probe(vec2 offset, vec2 place, vec3 c0, vec3 c1, vec3 c2, float level)
 {
     vec3 corners[3] = vec3[3](c0, c1, c2);
     vec3 at = vec3(offset, 1.0);
@@ -77,7 +76,7 @@ vec4 probe(vec2 offset, vec3 c0, vec3 c1, vec3 c2, float level)
         uint far = texelFetch(triangles, face)[(theirs + 2) % 3];
         corners[theirs] = end;
         corners[(theirs + 1) % 3] = start;
-        corners[(theirs + 2) % 3] = fromPixel(far);
+        corners[(theirs + 2) % 3] = onScreen(far, place);
     }
     inside = max(inside, vec3(0.0));
     inside /= inside.x + inside.y + inside.z;
@@ -85,11 +84,8 @@ vec4 probe(vec2 offset, vec3 c0, vec3 c1, vec3 c2, float level)
     return blockValue(block, inside.yz, level);
 }
 
-vec4 filteredTexel()
+vec4 probedTexel(vec3 moves, float pixel2, float texel2)
 {
-    vec3 moves = steps();
-    float pixel2 = pixelVariance();
-    float texel2 = exp2(2.0 * log2Scale.y);
     float mean = 0.5 * (moves.x + moves.y);
     float slant = 0.5 * (moves.x - moves.y);
     float radius = sqrt(slant * slant + moves.z * moves.z);
@@ -110,9 +106,15 @@ vec4 filteredTexel()
     }
 
     uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
-    vec3 c0 = fromPixel(triangle.x);
-    vec3 c1 = fromPixel(triangle.y);
-    vec3 c2 = fromPixel(triangle.z);
+    vec3 c0 = onScreen(triangle.x, vec2(0.0));
+    vec3 c1 = onScreen(triangle.y, vec2(0.0));
+    vec3 c2 = onScreen(triangle.z, vec2(0.0));
+    // Where the cage's face has the point: the limit surface lies elsewhere.
+    vec3 point = (1.0 - uv.x - uv.y) * c0 + uv.x * c1 + uv.y * c2;
+    vec2 origin = point.xy / max(point.z, 1e-20);
+    c0.xy -= origin * c0.z;
+    c1.xy -= origin * c1.z;
+    c2.xy -= origin * c2.z;
     // The major axis on the screen, in pixels for a unit of length along it.
     vec2 axis = slant >= 0.0 ? vec2(slant + radius, moves.z) : vec2(moves.z, radius - slant);
     vec2 direction = axis / max(length(axis), 1e-20) / (2.0 * sqrt(pixel2 * longest));
@@ -126,9 +128,41 @@ vec4 filteredTexel()
         if (weight <= 0.0) {
             break;
         }
-        sum += weight * (probe(place * direction, c0, c1, c2, level) +
-                         probe(-place * direction, c0, c1, c2, level));
+        sum += weight * (probe(place * direction, origin, c0, c1, c2, level) +
+                         probe(-place * direction, origin, c0, c1, c2, level));
         weights += 2.0 * weight;
     }
     return sum / weights;
+}
+
+vec4 filteredTexel()
+{
+    vec3 moves = steps();
+    float pixel2 = pixelVariance();
+    float texel2 = exp2(2.0 * log2Scale.y);
+    float mean = 0.5 * (moves.x + moves.y);
+    float slant = 0.5 * (moves.x - moves.y);
+    float longest = mean + sqrt(slant * slant + moves.z * moves.z);
+    float pixel = 2.0 * sqrt(pixel2);
+
+    Footprint footprint;
+    footprint.ray = viewPosition.xy / max(-viewPosition.z, 1e-30);
+    footprint.moves = moves;
+    footprint.area2 = max(moves.x * moves.y - moves.z * moves.z, 0.0);
+    footprint.texel2 = texel2 / (pixel * pixel);
+    footprint.minor2 = footprint.area2 / longest + footprint.texel2;
+    float major2 = longest + footprint.texel2; // four times
+    footprint.major = 0.5 * sqrt(major2);
+    float reach = kCut * footprint.major * pixel * exp2(-room);
+    float thinness = sqrt(major2 / footprint.minor2);
+    float toProbes = max(smoothstep(kNearFace.x, kNearFace.y, reach),
+                         smoothstep(kNotThin.x, kNotThin.y, thinness));
+    vec4 value = vec4(0.0);
+    if (toProbes < 1.0) {
+        value = (1.0 - toProbes) * texelsAbout(footprint, pixel);
+    }
+    if (toProbes > 0.0) {
+        value += toProbes * probedTexel(moves, pixel2, texel2);
+    }
+    return value;
 }

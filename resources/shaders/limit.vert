@@ -21,8 +21,10 @@ flat out int faceNumber;
 uniform usamplerBuffer triangles; // three mesh vertices a face
 uniform usamplerBuffer scales;    // a mesh vertex: `VertexScale` in render/filter_mesh.h
 out vec2 log2Scale;
-out vec3 meanNormal;
-out float flatness;
+out vec2 tilt;
+#endif
+#if FILTERING == 4
+out float room;
 #endif
 
 vec3 unpackNormal(uint bits)
@@ -45,18 +47,24 @@ void main()
     viewPosition = seen.xyz;
     viewNormal = mat3(view) * unpackNormal(normal);
 #if FILTERING >= 3
-    // What whole faces have at their corners, as it is between these.
+    // What whole faces have at their corners, as it is between these; but the surface's own tilt.
     uvec3 corners = texelFetch(triangles, face).xyz;
     vec3 weights = vec3(1.0 - uv.x - uv.y, uv);
     log2Scale = vec2(0.0);
-    meanNormal = vec3(0.0);
-    flatness = 0.0;
+    float heights = 0.0;
     for (int k = 0; k < 3; ++k) {
         uvec4 scale = texelFetch(scales, int(corners[k]));
         log2Scale += weights[k] * uintBitsToFloat(scale.xy);
-        meanNormal += weights[k] * (mat3(view) * unpackNormal(scale.z));
-        flatness += weights[k] * uintBitsToFloat(scale.w);
+        heights += weights[k] * (uintBitsToFloat(scale.x) +
+                                 log2(max(float(scale.w >> 24) / 255.0, 1e-4)));
     }
+    float along = dot(viewNormal, seen.xyz);
+    float smallest = 0.04 * length(seen.xyz) + 1e-20;
+    along = along < 0.0 ? min(along, -smallest) : max(along, smallest);
+    tilt = viewNormal.xy * (-seen.z / along);
+#endif
+#if FILTERING == 4
+    room = heights;
 #endif
     gl_Position = projection * seen;
 }

@@ -34,6 +34,9 @@ uniform float unitsPerPixel; // world length of a device pixel at distance 1
 in vec2 log2Scale; // of the length of edges, and of texels, about here
 in vec2 tilt;
 #endif
+#if FILTERING == 4
+in float room; // log2 of the height of the lowest faces about here
+#endif
 out vec4 color;
 
 // Bits of a face's record, as `FaceRecord` in render/display_texels.h has them.

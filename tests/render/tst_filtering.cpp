@@ -182,13 +182,29 @@ private slots:
         QVERIFY2(sum / (image.width() * image.height()) < 0.25, qPrintable(QString::number(sum)));
     }
 
+    void seamlessWaysDoNotJumpAtEdges_data()
+    {
+        QTest::addColumn<int>("scene");
+        QTest::newRow("torus") << 0;
+        QTest::newRow("torus, noise") << 1;
+        QTest::newRow("torus from the side") << 2;
+    }
+
     void seamlessWaysDoNotJumpAtEdges()
     {
-        const Shown shown = torus(384);
+        QFETCH(int, scene);
+        Shown shown = torus(384);
+        const TriangleMesh& mesh = shown.surface->mesh();
+        if (scene == 1) {
+            shown.store = noiseStore(mixedLevels(mesh.faceCount(), 1, 5, 7), 5);
+        } else if (scene == 2) {
+            shown.store = noiseStore(bandedLevels(mesh, 2, 4), 5);
+            shown.scene = sceneOf(*shown.surface, 384, {{}, 0.7, 2.5, 1.2});
+        }
         const auto renderer = rendererOf(*shown.surface, shown.store);
         prepareFilterings(*renderer, shown.store);
         QVERIFY(largestJump(*renderer, shown, Filtering::Texels) > 0.3);
-        QVERIFY(m_crossed > 100);
+        QVERIFY(m_crossed >= 100);
         QVERIFY(largestJump(*renderer, shown, Filtering::PackedAtlas) > 0.1);
         const double seamless = largestJump(*renderer, shown, Filtering::Seamless);
         const double anisotropic = largestJump(*renderer, shown, Filtering::Anisotropic);
@@ -198,38 +214,69 @@ private slots:
         QVERIFY2(anisotropic <= 1.0 / 255, qPrintable(QString::number(255 * anisotropic)));
     }
 
+    void anisotropicIsNearTheExactAnswer_data()
+    {
+        QTest::addColumn<int>("scene");
+        QTest::addColumn<double>("yaw");
+        QTest::addColumn<double>("pitch");
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("bar");
+        QTest::newRow("torus, banded levels") << 0 << 0.4 << 0.75 << 1.0 << 0.015;
+        QTest::newRow("torus, banded levels, near") << 0 << 2.5 << 1.1 << 0.5 << 0.015;
+        QTest::newRow("torus, mixed levels") << 1 << 1.0 << 0.4 << 0.75 << 0.015;
+        QTest::newRow("torus, mixed levels, near") << 1 << 1.0 << 0.4 << 0.3 << 0.015;
+        QTest::newRow("bunny") << 2 << 3.0 << 0.2 << 0.2 << 0.015;
+        QTest::newRow("bunny, near") << 2 << 4.0 << 0.6 << 0.1 << 0.015;
+        // Where pixels reach beyond the faces about them probes take over.
+        QTest::newRow("torus, mixed levels, far") << 1 << 0.4 << 0.75 << 1.0 << 0.025;
+        QTest::newRow("bunny, far") << 2 << 1.0 << 0.3 << 0.6 << 0.02;
+    }
+
     void anisotropicIsNearTheExactAnswer()
     {
-        Shown shown;
-        shown.surface = surfaceOf(torusMesh(64, 40));
-        const TriangleMesh& mesh = shown.surface->mesh();
-        shown.store = solidStore(mesh, bandedLevels(mesh, 2, 4), 4);
-        shown.scene = sceneOf(*shown.surface, kSide, {{}, 1.0, 0.4, 0.75});
-        const auto renderer = rendererOf(*shown.surface, shown.store);
-        prepareFilterings(*renderer, shown.store);
+        QFETCH(int, scene);
+        QFETCH(double, yaw);
+        QFETCH(double, pitch);
+        QFETCH(double, distance);
+        QFETCH(double, bar);
+        std::optional<Shown> shown = scene == 2 ? bunny() : torus();
+        QVERIFY2(shown, "glmark2-data has the bunny");
+        if (scene == 0) {
+            shown->surface = surfaceOf(torusMesh(64, 40));
+            shown->store =
+                solidStore(shown->surface->mesh(), bandedLevels(shown->surface->mesh(), 2, 4), 4);
+        }
+        const TriangleMesh& mesh = shown->surface->mesh();
+        CameraPose pose;
+        pose.yaw = yaw;
+        pose.pitch = pitch;
+        pose.distance = distance;
+        shown->scene = sceneOf(*shown->surface, kSide, pose);
+        const auto renderer = rendererOf(*shown->surface, shown->store);
+        prepareFilterings(*renderer, shown->store);
         NoProgress progress;
         const auto surface = std::make_shared<const FilterSurface>(
-            FilterSurface::fromMesh(mesh, shown.surface->adjacency()));
+            FilterSurface::fromMesh(mesh, shown->surface->adjacency()));
         const FilterScene filters =
-            *FilterScene::build(surface, shown.store, Threads::all(), progress);
-        const ExactPicture exact = *exactPicture(*shown.surface,
+            *FilterScene::build(surface, shown->store, Threads::all(), progress);
+        const ExactPicture exact = *exactPicture(*shown->surface,
                                                  filters,
-                                                 shown.store.format(),
-                                                 shown.scene.camera,
+                                                 shown->store.format(),
+                                                 shown->scene.camera,
                                                  {3, 0},
                                                  Threads::all(),
                                                  progress);
         QVERIFY(exact.queries.size() > 1000);
         std::array<double, 5> rms{};
         for (const Filtering filtering : kFilterings) {
-            Scene scene = shown.scene;
-            scene.surface.filtering = filtering;
-            const PictureDifference off = differenceOf(drawNumbers(*m_gl, *renderer, scene), exact);
-            qInfo() << nameOf(filtering) << "RMS %" << 100 * off.rms << "worst %"
-                    << 100 * off.worst;
+            Scene drawn = shown->scene;
+            drawn.surface.filtering = filtering;
+            const PictureDifference off = differenceOf(drawNumbers(*m_gl, *renderer, drawn), exact);
+            qInfo() << nameOf(filtering) << "RMS %" << 100 * off.rms << "99 % below"
+                    << 100 * off.p99 << "worst %" << 100 * off.worst;
             rms[static_cast<std::size_t>(filtering)] = off.rms;
         }
-        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <= 0.025);
+        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <= bar);
         QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <=
                 rms[static_cast<std::size_t>(Filtering::Seamless)]);
         QVERIFY(rms[static_cast<std::size_t>(Filtering::Seamless)] <=

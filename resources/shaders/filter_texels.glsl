@@ -1,0 +1,242 @@
+
+// The Gaussian over places of texels, for footprints that reach no farther than the faces about the
+// pixel's: interpolated averages are too soft where footprints are about as wide as texels. A sum
+// over all faces that meet at the corners of the pixel's face, each by texels or lattice vertices of
+// its own, so that it is the same whichever of them the pixel lies in. Appended to
+// filter_vertices.glsl. Lengths are in pixels' widths at the point that is seen.
+uniform usamplerBuffer across;       // three a face: neighbour << 2 | its edge, or all bits
+uniform usamplerBuffer triangles;    // three mesh vertices a face
+uniform samplerBuffer positions;     // xyz a mesh vertex
+uniform usamplerBuffer records;      // of faces' lattice vertices
+uniform usamplerBuffer texelRecords; // of faces' texels
+uniform samplerBuffer faceTexels;
+uniform mat4 view;
+
+const uint kBorder = 0xffffffffu;
+const int kMostAround = 24; // faces about a vertex
+const float kCut = 3.0;     // where the Gaussian ends, in sigmas
+// Amid larger texels it ends where the nearest has been reached for sure, in edges of these.
+const float kNearest = 0.8;
+// Four times the variance of the hexagon that a lattice vertex averages, in squared edges of the
+// lattice.
+const float kHexagon = 5.0 / 6.0;
+// Largest such edge over the width of the footprint, both squared: what is left for the Gaussian
+// must not be narrow beside the lattice.
+const float kWidestLattice = 0.6;
+
+struct Footprint
+{
+    vec2 ray;     // to the point
+    vec3 moves;   // products of steps
+    float area2;  // their determinant
+    float texel2; // squared edge of a texel about here
+    float major;  // standard deviation along the longer axis
+    float minor2; // four times the variance along the shorter one
+};
+
+// A place, or the way from one to another: in space, and on the screen.
+struct Way
+{
+    vec3 space;
+    vec2 screen;
+};
+
+Way wayOf(Footprint footprint, vec3 space)
+{
+    return Way(space, space.xy + space.z * footprint.ray);
+}
+
+// Squared distance in standard deviations, as a form. In the surface's plane the covariance is a
+// quarter of steps' products and of texel2; distances that belong to the former are taken on the
+// screen, others in space, so that both are what they are for each face whichever is asked.
+struct Metric
+{
+    float space;
+    vec3 screen; // xx, yy, xy
+};
+
+Metric metricOf(Footprint footprint, float texel2)
+{
+    float sum = footprint.moves.x + footprint.moves.y;
+    float scale = 4.0 / (footprint.area2 + texel2 * (sum + texel2));
+    vec3 screen = vec3(footprint.area2, footprint.area2, 0.0) + min(texel2, 0.0) * footprint.moves;
+    return Metric(scale * max(texel2, 0.0), scale * screen);
+}
+
+float product(Metric metric, Way a, Way b)
+{
+    return metric.space * dot(a.space, b.space) +
+           dot(metric.screen.xy, a.screen * b.screen) +
+           metric.screen.z * (a.screen.x * b.screen.y + a.screen.y * b.screen.x);
+}
+
+// What of a face is summed.
+struct Samples
+{
+    int level;
+    int begin;       // where their values begin
+    bool areTexels;  // or lattice vertices
+    bool isConstant; // all have the first value
+};
+
+Samples samplesOf(Footprint footprint, int face, float edge2)
+{
+    uvec2 own = texelFetch(texelRecords, face).xy;
+    int here = int(own.y & kLevelMask);
+    int finest = int(own.y >> kOwnShift & kLevelMask);
+    float wanted = 0.5 * log2(edge2 / (kWidestLattice * footprint.minor2));
+    int enough = max(int(ceil(wanted)), 0);
+    bool isConstant = (own.y & kConstant) != 0u;
+    // Texels are more accurate, so a few more of them are borne.
+    if (isConstant || (finest <= enough + 1 && (own.y & kPending) == 0u)) {
+        int level = isConstant ? min(finest, enough) : here;
+        return Samples(level, int(own.x), true, isConstant);
+    }
+    uvec2 block = texelFetch(records, face).xy;
+    int level = min(enough, int(block.y & kLevelMask));
+    return Samples(level, int(block.x) + levelBegin(level), false, false);
+}
+
+// \param a, b, c  the face's corners from the pixel's point
+void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 sum, inout float weights)
+{
+    vec3 e1 = b - a;
+    vec3 e2 = c - a;
+    vec3 normal = cross(e1, e2);
+    float twice2 = dot(normal, normal);
+    if (twice2 < 1e-30) {
+        return;
+    }
+    float twice = sqrt(twice2);
+    // As if nothing were larger here than texels about the pixel are: most faces are out of reach.
+    vec2 at = vec2(dot(cross(e2, a), normal), dot(cross(a, e1), normal)) / twice2;
+    vec3 perHeight = vec3(length(e2), length(e1), length(e2 - e1)) / twice;
+    vec3 inside = vec3(at, 1.0 - at.x - at.y);
+    float edge2 = 1.1547005 * twice; // of an equilateral face as large
+    Samples samples = samplesOf(footprint, face, edge2);
+    float r = float(1 << samples.level);
+    float step2 = edge2 / (r * r);
+    float cut = max(kCut, kNearest * sqrt(step2) / footprint.major);
+    vec3 reach = cut * footprint.major * perHeight;
+    if (any(lessThan(inside, -reach))) {
+        return;
+    }
+    float texel2 = footprint.texel2;
+    if (!samples.areTexels) {
+        texel2 -= min(kHexagon * step2, 0.9 * footprint.minor2);
+    }
+    Metric metric = metricOf(footprint, texel2);
+    Way origin = wayOf(footprint, a);
+    Way alongU = wayOf(footprint, e1);
+    Way alongV = wayOf(footprint, e2);
+    float uu = product(metric, alongU, alongU) / (r * r);
+    float uv2 = product(metric, alongU, alongV) / (r * r);
+    float vv = product(metric, alongV, alongV) / (r * r);
+    float u0 = product(metric, alongU, origin) / r;
+    float v0 = product(metric, alongV, origin) / r;
+    float zero = product(metric, origin, origin);
+    float cut2 = cut * cut;
+    float least = exp(-0.5 * cut2);
+
+    int size = 1 << samples.level;
+    for (int upper = 0; upper < (samples.areTexels ? 2 : 1); ++upper) {
+        float offset = samples.areTexels ? float(1 + upper) / 3.0 : 0.0;
+        int last = samples.areTexels ? size - 1 - upper : size;
+        vec2 lowest = floor((at - reach.xy) * r - offset);
+        vec2 highest = ceil((at + reach.xy) * r - offset);
+        int j1 = min(int(highest.y), last);
+        for (int j = max(int(lowest.y), 0); j <= j1; ++j) {
+            // Along a row the squared distance is uu i² + 2 b i + c.
+            float y = float(j) + offset;
+            float b1 = uv2 * y + u0 + uu * offset;
+            float c1 = (vv * y + 2.0 * v0) * y + zero + (2.0 * (uv2 * y + u0) + uu * offset) * offset;
+            float under = b1 * b1 - uu * (c1 - cut2);
+            if (under <= 0.0) {
+                continue;
+            }
+            float root = sqrt(under);
+            float per = 1.0 / max(uu, 1e-20);
+            int i0 = int(max(max(ceil((-b1 - root) * per), lowest.x), 0.0));
+            int i1 = int(min(min(floor((-b1 + root) * per), highest.x), float(last - j)));
+            int row = !samples.areTexels ? (j * (2 * size + 3 - j)) >> 1
+                      : upper == 0       ? j * size
+                                         : size * size - 1 - j;
+            int stride = upper == 0 ? 1 : -size;
+            for (int i = i0; i <= i1; ++i) {
+                float x = float(i);
+                float q = (uu * x + 2.0 * b1) * x + c1;
+                float weight = max(exp(-0.5 * q) - least, 0.0);
+                if (!samples.areTexels) {
+                    // Of the two triangles' area that a vertex stands for, others have what lies
+                    // beyond the face's edges.
+                    int edges = int(i == 0) + int(j == 0) + int(i + j == size);
+                    weight *= edges == 0 ? 2.0 : edges == 1 ? 1.0 : 1.0 / 3.0;
+                }
+                weight *= step2;
+                int index = samples.isConstant ? 0 : row + stride * i;
+                sum += weight * (samples.areTexels ? texelFetch(faceTexels, samples.begin + index)
+                                                   : texelFetch(texels, samples.begin + index));
+                weights += weight;
+            }
+        }
+    }
+}
+
+// A mesh vertex from the pixel's point, which lies `there` from the place that `from` names: of
+// large numbers neighbours would not agree to the last bits where the point is.
+vec3 seen(uint vertex, vec3 from, float pixel, vec3 there)
+{
+    return mat3(view) * (texelFetch(positions, int(vertex)).xyz - from) / pixel - there;
+}
+
+// Faces about each corner in turn, against the clock and, where that ends at a border, with it. A
+// face across an edge counts as the first about the edge's start.
+vec4 texelsAbout(Footprint footprint, float pixel)
+{
+    uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
+    vec3 from = texelFetch(positions, int(triangle.x)).xyz;
+    vec3 e1 = seen(triangle.y, from, pixel, vec3(0.0));
+    vec3 e2 = seen(triangle.z, from, pixel, vec3(0.0));
+    vec3 there = uv.x * e1 + uv.y * e2;
+    vec3 corners[3] = vec3[3](-there, e1 - there, e2 - there);
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+    addFace(footprint, faceNumber, corners[0], corners[1], corners[2], sum, weights);
+    // Beyond this the faces that share but a corner are out of reach.
+    float far2 = max(18.0 * footprint.major * footprint.major, 10.0 * footprint.texel2);
+    for (int k = 0; k < 3; ++k) {
+        vec3 hub = corners[k];
+        int before = (k + 2) % 3;
+        uint last = texelFetch(across, 3 * faceNumber + before).x;
+        bool isFar = dot(hub, hub) > far2;
+        bool isClosed = false;
+        for (int back = 0; back < 2 && !isClosed; ++back) {
+            vec3 rim = corners[back == 0 ? (k + 1) % 3 : before];
+            uint next = back == 0 ? texelFetch(across, 3 * faceNumber + k).x : last;
+            for (int n = 0; n < kMostAround; ++n) {
+                int face = int(next >> 2);
+                bool isLast = back == 0 && n > 0 && face == int(last >> 2);
+                isClosed = next != kBorder && (face == faceNumber || isLast || (isFar && n > 0));
+                if (next == kBorder || isClosed) {
+                    break;
+                }
+                int edge = int(next & 3u);
+                vec3 apex = seen(texelFetch(triangles, face)[(edge + 2) % 3], from, pixel, there);
+                if (back == 0 || n > 0) {
+                    vec3 start = back == 0 ? rim : hub;
+                    vec3 end = back == 0 ? hub : rim;
+                    addFace(footprint,
+                            face,
+                            edge == 0 ? start : edge == 1 ? apex : end,
+                            edge == 0 ? end : edge == 1 ? start : apex,
+                            edge == 0 ? apex : edge == 1 ? end : start,
+                            sum,
+                            weights);
+                }
+                rim = apex;
+                next = texelFetch(across, 3 * face + (edge + 1 + back) % 3).x;
+            }
+        }
+    }
+    return weights > 0.0 ? sum / weights : vec4(0.0);
+}
