@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 using namespace trixel;
 using namespace trixel::test;
@@ -308,5 +310,23 @@ TEST(VertexBlock, knowsTheRowOfEveryVertex)
         }
         EXPECT_EQ(vertexBlockLevel(vertexBlockBegin(level)), level);
         EXPECT_EQ(vertexBlockLevel(vertexBlockSize(level) - 1), level);
+    }
+}
+
+/// The table of tests/bench/README.md: values in every level together, beside the base's texels.
+TEST(VertexBlock, takesAtMostThreeQuartersOfTheTexelsFromLevel6On)
+{
+    const std::array<std::pair<int, double>, 6> table{
+        {{3, 1.078}, {4, 0.867}, {5, 0.765}, {6, 0.715}, {7, 0.690}, {8, 0.678}}};
+    for (const auto& [number, stated] : table) {
+        const Level level(number);
+        std::size_t values = 0;
+        for (int n = 0; n <= number; ++n) {
+            values += latticeVertexCount(Level(n));
+        }
+        EXPECT_EQ(vertexBlockSize(level), values);
+        const double perTexel = static_cast<double>(values) / level.texelCount();
+        EXPECT_NEAR(perTexel, stated, 6e-4) << "level " << number;
+        EXPECT_TRUE(number < 6 || perTexel <= 0.75);
     }
 }
