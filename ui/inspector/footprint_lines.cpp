@@ -2,6 +2,7 @@
 #include "ui/inspector/footprint_lines.h"
 
 #include "core/lattice/texel.h"
+#include "core/mesh/triangle_geometry.h"
 #include "ui/inspector/footprint_net_painter.h"
 #include "ui/viewport/surface_lines.h"
 
@@ -24,6 +25,8 @@ constexpr double kLeastShare = 0.02;
 /// Lines that are drawn larger reach further than filters do: the parallelogram's corners are √2
 /// from the centre.
 constexpr double kLinesCut = 1.8;
+/// Pieces of a straight line on a curved face.
+constexpr int kCurveCuts = 8;
 
 struct Part
 {
@@ -68,17 +71,15 @@ std::vector<glm::dvec2> ellipseOf(glm::dvec2 major, glm::dvec2 minor)
 } // namespace
 
 std::vector<render::Polyline> onSurface(const FootprintNet& net,
-                                        const TriangleMesh& mesh,
+                                        const SeenSurface& surface,
                                         std::span<const glm::dvec2> line,
                                         glm::vec4 color,
                                         float width)
 {
     std::vector<render::Polyline> pieces;
     for (const FootprintNet::Face& face : net.faces) {
-        const auto corners = mesh.corners(face.face);
         const auto toWorld = [&](glm::dvec2 point) {
-            const glm::vec2 uv(face.uvOf(point));
-            return pointAt(corners, uv.x, uv.y);
+            return surface.position(face.face, insideTriangle(face.uvOf(point)));
         };
         bool joins = false; // the segment before ended where this one begins
         for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -96,7 +97,11 @@ std::vector<render::Polyline> onSurface(const FootprintNet& net,
                 piece.points.push_back(toWorld(line[k] + part->from * along));
                 pieces.push_back(std::move(piece));
             }
-            pieces.back().points.push_back(toWorld(line[k] + part->to * along));
+            const int cuts = surface.isLimit() ? kCurveCuts : 1;
+            for (int c = 1; c <= cuts; ++c) {
+                const double t = part->from + (part->to - part->from) * c / cuts;
+                pieces.back().points.push_back(toWorld(line[k] + t * along));
+            }
             joins = part->to >= 1;
         }
     }
@@ -104,7 +109,7 @@ std::vector<render::Polyline> onSurface(const FootprintNet& net,
 }
 
 std::vector<render::Polyline> footprintOnSurface(const FootprintNet& net,
-                                                 const TriangleMesh& mesh,
+                                                 const SeenSurface& surface,
                                                  FootprintRole role,
                                                  bool widened)
 {
@@ -112,7 +117,7 @@ std::vector<render::Polyline> footprintOnSurface(const FootprintNet& net,
     std::vector<render::Polyline> lines;
     const auto add = [&](std::span<const glm::dvec2> line, glm::vec4 color, float width) {
         for (render::Polyline& piece :
-             onSurface(net, mesh, line, live ? color : kFrozenColor, width)) {
+             onSurface(net, surface, line, live ? color : kFrozenColor, width)) {
             lines.push_back(std::move(piece));
         }
     };
@@ -132,7 +137,7 @@ std::vector<render::Polyline> footprintOnSurface(const FootprintNet& net,
 }
 
 std::vector<render::Polyline>
-weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::size_t most)
+weightsOnSurface(const SeenSurface& surface, const Contributions& weights, std::size_t most)
 {
     std::vector<render::Polyline> lines;
     if (weights.texels.empty()) {
@@ -147,12 +152,11 @@ weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::si
             continue;
         }
         const QColor color = weightColor(share);
-        const auto faceCorners = mesh.corners(one.face);
         const glm::dvec2 middle = centroid(one.level, one.texel);
         render::Polyline line;
         for (const glm::dvec2 corner : corners(one.level, one.texel)) {
             const glm::vec2 uv(glm::mix(corner, middle, kInset));
-            line.points.push_back(pointAt(faceCorners, uv.x, uv.y));
+            line.points.push_back(surface.position(one.face, uv));
         }
         line.closed = true;
         line.color = {color.redF(), color.greenF(), color.blueF(), 0.95F};
@@ -171,8 +175,9 @@ double magnificationOf(const ProbedFootprint& probed, bool enlarged)
 }
 
 std::vector<render::Polyline>
-marksOnSurface(const Surface& surface, const TexelStore& texels, const FootprintMarks& marks)
+marksOnSurface(const SeenSurface& surface, const TexelStore& texels, const FootprintMarks& marks)
 {
+    const Surface& cage = surface.cage();
     std::vector<render::Polyline> lines;
     const auto add = [&](const ProbedFootprint& probed, FootprintRole role) {
         const double magnification = magnificationOf(probed, marks.enlarged);
@@ -182,12 +187,12 @@ marksOnSurface(const Surface& surface, const TexelStore& texels, const Footprint
         NetLimits limits;
         limits.cut = kLinesCut;
         const FootprintNet net =
-            footprintNet(surface.mesh(), surface.adjacency(), texels, larger, limits);
-        std::ranges::move(footprintOnSurface(net, surface.mesh(), role, magnification == 1.0),
+            footprintNet(cage.mesh(), cage.adjacency(), texels, larger, limits);
+        std::ranges::move(footprintOnSurface(net, surface, role, magnification == 1.0),
                           std::back_inserter(lines));
     };
     if (marks.live != nullptr && marks.weights != nullptr) {
-        lines = weightsOnSurface(surface.mesh(), *marks.weights);
+        lines = weightsOnSurface(surface, *marks.weights);
     }
     if (marks.frozen != nullptr) {
         add(*marks.frozen, FootprintRole::Frozen);

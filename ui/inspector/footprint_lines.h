@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/filter/footprint_net.h"
-#include "core/mesh/surface.h"
 #include "render/overlay_pass.h"
 #include "ui/inspector/footprint_probe.h"
+#include "ui/viewport/seen_surface.h"
 
 #include <span>
 #include <vector>
@@ -14,7 +14,7 @@ namespace trixel::ui {
 /// A line of the net, laid onto the surface piece by piece: from face to face as the net goes.
 /// Where the line leaves the net it is left out.
 std::vector<render::Polyline> onSurface(const FootprintNet& net,
-                                        const TriangleMesh& mesh,
+                                        const SeenSurface& surface,
                                         std::span<const glm::dvec2> line,
                                         glm::vec4 color,
                                         float width);
@@ -26,13 +26,13 @@ enum class FootprintRole { Live, Frozen };
 /// \param net      of the footprint, reaching as far as its lines do
 /// \param widened  the ellipse that filters take, not that of the vectors alone
 std::vector<render::Polyline> footprintOnSurface(const FootprintNet& net,
-                                                 const TriangleMesh& mesh,
+                                                 const SeenSurface& surface,
                                                  FootprintRole role,
                                                  bool widened);
 
 /// Outlines of the heaviest texels in the colours of their weights.
 std::vector<render::Polyline>
-weightsOnSurface(const TriangleMesh& mesh, const Contributions& weights, std::size_t most = 256);
+weightsOnSurface(const SeenSurface& surface, const Contributions& weights, std::size_t most = 256);
 
 /// What is drawn of footprints on the surface; null is left out.
 struct FootprintMarks
@@ -48,6 +48,6 @@ inline constexpr double kFootprintEnlarged = 40.0;
 double magnificationOf(const ProbedFootprint& probed, bool enlarged);
 
 std::vector<render::Polyline>
-marksOnSurface(const Surface& surface, const TexelStore& texels, const FootprintMarks& marks);
+marksOnSurface(const SeenSurface& surface, const TexelStore& texels, const FootprintMarks& marks);
 
 } // namespace trixel::ui

@@ -192,6 +192,7 @@ void FootprintPanel::join()
             m_probe->setCamera(m_work.viewport.camera());
         }
     });
+    connect(&m_work.viewport, &Viewport::seenSurfaceChanged, links, [this] { takeSurface(); });
     connect(&m_work.settings, &ViewSettings::methodChanged, links, [this] { sweepLater(); });
     connect(&m_work.settings, &ViewSettings::lookChanged, links, [this] { showNet(); });
     connect(&m_work.filterScene, &FilterSceneSource::changed, links, [this] { sweepLater(); });
@@ -241,6 +242,7 @@ void FootprintPanel::setActive(bool active)
 {
     if (active) {
         m_probe->setCamera(m_work.viewport.camera());
+        m_probe->setLimit(m_work.viewport.seenLimit());
         m_probe->setActive(true);
         refreshFrozen();
         m_refresh.start();
@@ -255,6 +257,15 @@ void FootprintPanel::setActive(bool active)
     m_frozenAnswers->ask(std::nullopt);
     if (m_viewport) { // a window that ends takes it away first
         m_viewport->showFootprints(std::nullopt);
+    }
+}
+
+/// The view shows another surface: footprints of its pixels are others, and all lie elsewhere.
+void FootprintPanel::takeSurface()
+{
+    if (m_probe->isActive()) {
+        m_probe->setLimit(m_work.viewport.seenLimit());
+        m_refresh.start();
     }
 }
 
@@ -377,8 +388,10 @@ void FootprintPanel::showOnSurface()
     if (m_onSurface->isChecked() && answer && answer->weights) {
         marks.weights = &*answer->weights;
     }
+    const std::shared_ptr<const LimitMesh> limit = m_work.viewport.seenLimit();
+    const SeenSurface seen(*m_work.document.surface(), limit.get());
     m_work.viewport.showFootprints(
-        marksOnSurface(*m_work.document.surface(), m_work.document.texels(), marks),
+        marksOnSurface(seen, m_work.document.texels(), marks),
         m_probe->live() ? magnificationOf(*m_probe->live(), marks.enlarged) : 1.0,
         isFrozen());
 }
@@ -398,13 +411,15 @@ void FootprintPanel::startSweep()
     if (!m_probe->isActive() || !m_work.filterScene.isCurrent() || !m_probe->live()) {
         return;
     }
+    const std::shared_ptr<const LimitMesh> limit = m_work.viewport.seenLimit();
+    const SeenSurface seen(*m_work.document.surface(), limit.get());
     std::vector<FootprintSweep::Angle> angles;
     for (int degrees = 0; degrees < 90; degrees += kSweepStep) {
         const auto probed = m_probe->tilted(degrees);
         if (!probed) {
             return;
         }
-        const auto corners = m_work.document.surface()->mesh().corners(probed->placed.face);
+        const auto corners = seen.tangentFace(probed->placed.face, glm::vec2(probed->placed.uv));
         angles.push_back({static_cast<double>(degrees),
                           ellipseOf(probed->placed.footprint, corners).anisotropy(),
                           probed->placed});

@@ -78,6 +78,7 @@ private:
     QWidget* makeVectors();
     void join();
     void setActive(bool active);
+    void takeSurface();
     void refresh();
     void refreshFrozen();
     void showNet();

@@ -29,13 +29,6 @@ glm::dmat4 toPixels(const render::Camera& camera)
     return screen * glm::dmat4(camera.projection()) * glm::dmat4(camera.view());
 }
 
-glm::dvec3 pointOn(const std::array<glm::vec3, 3>& corners, glm::dvec2 uv)
-{
-    const glm::dvec3 origin(corners[0]);
-    return origin + uv.x * (glm::dvec3(corners[1]) - origin) +
-           uv.y * (glm::dvec3(corners[2]) - origin);
-}
-
 /// Where a direction of the world points in (u,v) of a face; along u where it is the normal's.
 glm::dvec2 leanOf(const std::array<glm::vec3, 3>& corners, glm::dvec3 direction)
 {
@@ -62,6 +55,7 @@ FootprintProbe::FootprintProbe(Document& document, Inspection& inspection, QObje
 {
     connect(&inspection, &Inspection::changed, this, &FootprintProbe::update);
     connect(&document, &Document::opened, this, [this] {
+        m_limit.reset(); // of another surface
         thaw();
         update();
     });
@@ -80,6 +74,19 @@ void FootprintProbe::setCamera(const render::Camera& camera)
     if (m_source == FootprintSource::Screen || m_source == FootprintSource::Tilted) {
         update();
     }
+}
+
+void FootprintProbe::setLimit(std::shared_ptr<const LimitMesh> limit)
+{
+    m_limit = std::move(limit);
+    if (m_source == FootprintSource::Screen || m_source == FootprintSource::Tilted) {
+        update();
+    }
+}
+
+SeenSurface FootprintProbe::seen() const
+{
+    return SeenSurface(*m_document.surface(), m_limit.get());
 }
 
 void FootprintProbe::setSource(FootprintSource source)
@@ -176,8 +183,9 @@ std::optional<ProbedFootprint> FootprintProbe::made() const
 
 std::optional<ProbedFootprint> FootprintProbe::fromScreen(FaceId face, glm::dvec2 uv) const
 {
-    const auto corners = m_document.surface()->mesh().corners(face);
-    const auto pixel = m_camera.project(pointOn(corners, uv));
+    const SeenSurface surface = seen();
+    const auto corners = surface.tangentFace(face, glm::vec2(uv));
+    const auto pixel = m_camera.project(glm::dvec3(surface.position(face, glm::vec2(uv))));
     if (!pixel) {
         return std::nullopt;
     }
@@ -194,9 +202,10 @@ std::optional<ProbedFootprint> FootprintProbe::tilted(double degrees) const
     if (!texel || !m_document.isOpen()) {
         return std::nullopt;
     }
-    const auto corners = m_document.surface()->mesh().corners(texel->place.face);
+    const SeenSurface surface = seen();
+    const auto corners = surface.tangentFace(texel->place.face, texel->uv);
     const glm::dvec2 uv(texel->uv);
-    const glm::dvec3 point = pointOn(corners, uv);
+    const glm::dvec3 point(surface.position(texel->place.face, texel->uv));
     // As far away as the view is, so that it begins with the pixels that are seen now.
     const glm::dvec3 toEye = m_camera.eye() - point;
     TiltedView view;

@@ -6,7 +6,9 @@
 #include "core/filter/footprint_net.h"
 #include "core/footprint/screen_derivatives.h"
 #include "render/camera.h"
+#include "ui/viewport/seen_surface.h"
 
+#include <memory>
 #include <optional>
 
 namespace trixel::ui {
@@ -45,6 +47,8 @@ public:
     bool isActive() const { return m_isActive; }
     /// The view, for footprints that come from it.
     void setCamera(const render::Camera& camera);
+    /// The limit surface that the view shows in the cage's place; null where it shows the cage.
+    void setLimit(std::shared_ptr<const LimitMesh> limit);
 
     /// Nothing before a texel was looked at, and where the view does not see the point.
     const std::optional<ProbedFootprint>& live() const { return m_live; }
@@ -76,10 +80,12 @@ private:
     void update();
     std::optional<ProbedFootprint> made() const;
     std::optional<ProbedFootprint> fromScreen(FaceId face, glm::dvec2 uv) const;
+    SeenSurface seen() const;
 
     Document& m_document;
     Inspection& m_inspection;
     render::Camera m_camera;
+    std::shared_ptr<const LimitMesh> m_limit;
     FootprintSource m_source = FootprintSource::Screen;
     /// Of TextureAligned and ByHand, in texels' edges of the face stood on: so that they keep their
     /// sense from face to face.

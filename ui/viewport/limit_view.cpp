@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/limit_view.h"
 
+#include <QPromise>
 #include <QtConcurrent>
 
 #include "core/base/parallel.h"
 #include "core/mesh/limit_bends.h"
 #include "core/paint/paint_surface.h"
+#include "ui/document/background_job.h"
 
 #include <utility>
 
@@ -16,14 +18,16 @@ namespace {
 class UntilStopped final : public Progress
 {
 public:
-    explicit UntilStopped(const std::atomic<bool>& stop)
+    UntilStopped(const std::atomic<bool>& stop, Progress& watched)
         : m_stop(stop)
+        , m_watched(watched)
     {
     }
-    bool report(double /*fraction*/) override { return !m_stop; }
+    bool report(double fraction) override { return m_watched.report(fraction) && !m_stop; }
 
 private:
     const std::atomic<bool>& m_stop;
+    Progress& m_watched;
 };
 
 /// The camera's picture, for errors in its pixels.
@@ -60,14 +64,30 @@ void LimitView::stop()
     }
 }
 
-void LimitView::setSurface(std::shared_ptr<const Surface> surface)
+void LimitView::setSurface(std::shared_ptr<const Surface> surface, CreaseAngle creases)
 {
     stop();
     m_surface = std::move(surface);
+    m_creases = creases;
+    m_hasOldCreases = false;
     m_isPossible = false;
     m_solid.reset();
     rest();
     refuse({});
+    next();
+}
+
+/// What is there stays to be seen and painted on until the other one is.
+void LimitView::setCreases(CreaseAngle creases)
+{
+    m_creases = creases;
+    m_hasOldCreases = true;
+    if (m_isBusy) {
+        *m_stop = true; // taken when it has ended: there is never more than one at work
+    }
+    if (m_error > 0) {
+        m_demand = m_wanted;
+    }
     next();
 }
 
@@ -88,7 +108,8 @@ void LimitView::want(const render::Camera& camera, double error)
     m_error = error;
     m_pose = camera.pose();
     m_size = camera.viewport();
-    m_demand = LimitDemand{scaleOf(camera), error};
+    m_wanted = LimitDemand{scaleOf(camera), error};
+    m_demand = m_wanted;
     next();
 }
 
@@ -105,15 +126,35 @@ void LimitView::rest()
     }
 }
 
+/// \param jobTitle  of work that may take long; none: nobody watches it
 template <class Work>
-void LimitView::start(Work work)
+void LimitView::start(Work work, const QString& jobTitle)
 {
     m_isBusy = true;
     m_stop = std::make_shared<std::atomic<bool>>(false);
-    m_watcher.setFuture(QtConcurrent::run([work = std::move(work), stop = m_stop]() -> Made {
-        UntilStopped progress(*stop);
+    auto run = [work = std::move(work), stop = m_stop](Progress& watched) -> Made {
+        UntilStopped progress(*stop, watched);
         return work(progress);
-    }));
+    };
+    if (m_jobs == nullptr || jobTitle.isEmpty()) {
+        m_watcher.setFuture(QtConcurrent::run([run = std::move(run)]() -> Made {
+            NoProgress nobody;
+            return run(nobody);
+        }));
+        return;
+    }
+    // Ends without a result when the job is cancelled before it has begun.
+    auto promise = std::make_shared<QPromise<Made>>();
+    promise->start();
+    m_watcher.setFuture(promise->future());
+    m_jobs->run(
+        jobTitle,
+        [run = std::move(run), promise = std::move(promise)](Progress& progress) -> Status {
+            promise->addResult(run(progress));
+            promise->finish();
+            return {};
+        },
+        [](const Status&) {});
 }
 
 /// Begins what is missing first.
@@ -132,26 +173,49 @@ void LimitView::next()
             }
             return made;
         });
-    } else if (m_demand && !m_solid) {
-        start([surface = m_surface](Progress& progress) {
+    } else if (m_demand && (!m_solid || m_hasOldCreases)) {
+        makeSolid();
+    } else if (m_cut && (!m_mesh || m_mesh->sharedTessellation() != m_cut)) {
+        makeMesh();
+    } else if (m_demand) {
+        makeCut();
+    }
+}
+
+void LimitView::makeSolid()
+{
+    m_hasOldCreases = false;
+    start(
+        [surface = m_surface, creases = m_creases](Progress& progress) {
             Made made;
-            if (auto solid = limitToPaintOn(*surface, {}, Threads::all(), progress)) {
+            if (auto solid = limitToPaintOn(*surface, creases, Threads::all(), progress)) {
                 made.solid = std::move(*solid);
+            } else if (solid.error().kind == ErrorKind::Cancelled) {
+                made.isCancelled = true;
             } else {
                 made.refusal = solid.error().message;
             }
             return made;
-        });
-    } else if (m_cut && (!m_mesh || m_mesh->sharedTessellation() != m_cut)) {
-        start([cut = m_cut](Progress& /*progress*/) {
-            Made made;
-            made.mesh = LimitMesh::build(cut);
-            return made;
-        });
-    } else if (m_demand) {
-        start([demand = *std::exchange(m_demand, std::nullopt),
-               before = m_cut,
-               bends = m_solid->tessellation().sharedBends()](Progress& progress) {
+        },
+        tr("Making the limit surface"));
+}
+
+void LimitView::makeMesh()
+{
+    start([cut = m_cut](Progress& /*progress*/) {
+        Made made;
+        made.mesh = LimitMesh::build(cut);
+        return made;
+    });
+}
+
+void LimitView::makeCut()
+{
+    const auto& bends = m_solid->tessellation().sharedBends();
+    const bool isFirst = m_cut == nullptr;
+    const auto before = m_cut && m_cut->sharedBends() == bends ? m_cut : nullptr;
+    start(
+        [demand = *std::exchange(m_demand, std::nullopt), before, bends](Progress& progress) {
             Made made;
             if (before && before->isAsDemanded(demand)) {
                 return made;
@@ -159,10 +223,12 @@ void LimitView::next()
             if (auto cut =
                     LimitTessellation::make(bends, demand, before, Threads::all(), progress)) {
                 made.cut = std::move(*cut);
+            } else {
+                made.isCancelled = true;
             }
             return made;
-        });
-    }
+        },
+        isFirst ? tr("Cutting the limit surface into triangles") : QString());
 }
 
 void LimitView::take()
@@ -171,15 +237,31 @@ void LimitView::take()
         return; // taken already, by `finish`
     }
     m_isBusy = false;
-    const Made made = m_watcher.result();
+    const bool isOurs = *m_stop; // stopped for another to begin
+    Made made;
+    made.isCancelled = true;
+    if (m_watcher.future().resultCount() > 0) {
+        made = m_watcher.result();
+    }
     if (made.refusal) {
         rest();
         refuse(QString::fromStdString(*made.refusal));
         return;
     }
+    if (made.isCancelled && !isOurs) {
+        rest();
+        emit cancelled();
+        return;
+    }
+    keep(made);
+    next();
+}
+
+void LimitView::keep(const Made& made)
+{
     m_isPossible = m_isPossible || made.isPossible;
     const bool isWanted = m_error > 0; // else it was given up meanwhile
-    if (made.solid) {
+    if (made.solid && !m_hasOldCreases) {
         m_solid = made.solid;
     }
     if (made.cut && isWanted) {
@@ -190,7 +272,6 @@ void LimitView::take()
         m_mesh = made.mesh;
         emit meshChanged();
     }
-    next();
 }
 
 void LimitView::finish()

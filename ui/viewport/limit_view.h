@@ -4,6 +4,7 @@
 #include <QFutureWatcher>
 #include <QObject>
 
+#include "core/base/progress.h"
 #include "core/mesh/limit_mesh.h"
 #include "core/mesh/surface.h"
 #include "render/camera.h"
@@ -14,8 +15,10 @@
 
 namespace trixel::ui {
 
+class BackgroundJobs;
+
 /// The limit surface of the cage in a view, tessellated for its camera in the background. While
-/// the camera moves, the newest demand counts and what is there stays.
+/// the camera moves or creases change, the newest demand counts and what is there stays.
 class LimitView : public QObject
 {
     Q_OBJECT
@@ -24,8 +27,13 @@ public:
     explicit LimitView(QObject* parent = nullptr);
     ~LimitView() override;
 
+    /// Tells of work that takes long, to be cancelled there. They must outlive the work.
+    void useJobs(BackgroundJobs& jobs) { m_jobs = &jobs; }
+
     /// Another cage, or none: forgets everything and looks whether it can be subdivided.
-    void setSurface(std::shared_ptr<const Surface> surface);
+    void setSurface(std::shared_ptr<const Surface> surface, CreaseAngle creases);
+    /// Other creases of the same cage.
+    void setCreases(CreaseAngle creases);
     /// Why there is no limit surface; empty where there is or may be one.
     const QString& refusal() const { return m_refusal; }
 
@@ -51,12 +59,15 @@ signals:
     void meshChanged();
     /// What `refusal` says is another.
     void refusalChanged();
+    /// Its making was cancelled; there is none.
+    void cancelled();
 
 private:
     /// What a piece of work came to: whatever it made.
     struct Made
     {
         std::optional<std::string> refusal;
+        bool isCancelled = false; ///< by whoever watches the job
         bool isPossible = false;
         std::shared_ptr<const LimitMesh> solid;
         std::shared_ptr<const LimitTessellation> cut;
@@ -66,19 +77,27 @@ private:
 
     void next();
     template <class Work>
-    void start(Work work);
+    void start(Work work, const QString& jobTitle = {});
+    void makeSolid();
+    void makeMesh();
+    void makeCut();
     void take();
+    void keep(const Made& made);
     void stop();
     void refuse(const QString& why);
 
+    BackgroundJobs* m_jobs = nullptr;
     std::shared_ptr<const Surface> m_surface;
+    CreaseAngle m_creases;
     QString m_refusal;
     bool m_isPossible = false;
     std::optional<LimitDemand> m_demand; ///< not begun yet
+    LimitDemand m_wanted;                ///< the newest
     render::CameraPose m_pose;           ///< of the newest demand
     glm::ivec2 m_size{0};
     double m_error = 0;
     std::shared_ptr<const LimitMesh> m_solid;
+    bool m_hasOldCreases = false; ///< the solid
     std::shared_ptr<const LimitTessellation> m_cut;
     std::shared_ptr<const LimitMesh> m_mesh;
     QFutureWatcher<Made> m_watcher;

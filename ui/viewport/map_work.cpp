@@ -77,7 +77,7 @@ private:
         Answers answers;
         answers.values.resize(queries.size());
         if (m_work.map == ViewMapKind::Condition) {
-            footprintConditions(*m_work.surface, queries, Threads::all(), answers.values);
+            conditions(queries, answers.values);
         } else {
             filterDifferences(*m_work.scene,
                               *m_method,
@@ -92,6 +92,15 @@ private:
             answers.colors.push_back(opaque(m_scale.color(double{value})));
         }
         return answers;
+    }
+
+    void conditions(const FilterQueries& queries, std::span<float> values) const
+    {
+        if (m_work.limit) {
+            footprintConditions(m_work.limit->surface(), queries, Threads::all(), values);
+        } else {
+            footprintConditions(*m_work.surface, queries, Threads::all(), values);
+        }
     }
 
     Answers filtered(const FilterQueries& queries) const
@@ -231,6 +240,18 @@ private:
     int m_row = 0;
 };
 
+Result<ViewQueries> queriesOf(const MapWork& work, int step, Progress& progress)
+{
+    const PixelSubset subset{step, 0};
+    if (work.queries) {
+        return work.queries(step);
+    }
+    if (work.limit) {
+        return viewQueries(*work.limit, work.camera, subset, Threads::all(), progress);
+    }
+    return viewQueries(*work.surface, work.camera, subset, Threads::all(), progress);
+}
+
 } // namespace
 
 void computeMap(QPromise<MapBand>& promise, const MapWork& work)
@@ -239,11 +260,7 @@ void computeMap(QPromise<MapBand>& promise, const MapWork& work)
     const Evaluator evaluate(work);
     double perBand = kFirstBandQueries;
     for (const int step : kMapSteps) {
-        auto queries =
-            work.queries
-                ? Result<ViewQueries>(work.queries(step))
-                : viewQueries(
-                      *work.surface, work.camera, PixelSubset{step, 0}, Threads::all(), progress);
+        auto queries = queriesOf(work, step, progress);
         if (!queries) {
             return; // cancelled
         }

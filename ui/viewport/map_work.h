@@ -20,6 +20,7 @@ struct MapWork
     ViewMapKind map = ViewMapKind::None; ///< one of Filtered, Condition and Error
     ViewCamera camera;
     std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const LimitMesh> limit;   ///< of the surface, where it is seen in its place
     std::shared_ptr<const FilterScene> scene; ///< not needed for Condition
     MethodChoice method;
     double range = 0;   ///< of the values

@@ -5,6 +5,15 @@
 
 namespace trixel::ui {
 
+LimitSurface::Evaluator& SeenSurface::at(FaceId face) const
+{
+    if (!m_evaluator) {
+        m_evaluator.emplace(m_limit->surface());
+    }
+    m_evaluator->moveTo(face);
+    return *m_evaluator;
+}
+
 std::optional<SurfacePoint> SeenSurface::raycast(const Ray& ray) const
 {
     return m_limit ? m_limit->raycast(ray) : m_cage.bvh().raycast(ray);
@@ -18,13 +27,13 @@ std::optional<SurfacePoint> SeenSurface::closestPoint(glm::vec3 position, float 
 
 glm::vec3 SeenSurface::position(FaceId face, glm::vec2 uv) const
 {
-    return m_limit ? glm::vec3(m_limit->surface().at(face, glm::dvec2(uv)).position)
+    return m_limit ? glm::vec3(at(face).position(glm::dvec2(uv)))
                    : pointAt(m_cage.mesh().corners(face), uv.x, uv.y);
 }
 
 std::array<glm::vec3, 3> SeenSurface::tangentFace(FaceId face, glm::vec2 uv) const
 {
-    return m_limit ? m_limit->surface().at(face, glm::dvec2(uv)).tangentFace(glm::dvec2(uv))
+    return m_limit ? at(face).at(glm::dvec2(uv)).tangentFace(glm::dvec2(uv))
                    : m_cage.mesh().corners(face);
 }
 

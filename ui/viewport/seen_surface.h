@@ -9,7 +9,7 @@
 
 namespace trixel::ui {
 
-/// The surface as a view shows it: the cage, or its limit surface. Refers to both.
+/// The surface as a view shows it: the cage, or its limit surface. Refers to both; for one thread.
 class SeenSurface
 {
 public:
@@ -20,6 +20,7 @@ public:
     {
     }
 
+    const Surface& cage() const { return m_cage; }
     bool isLimit() const { return m_limit != nullptr; }
 
     std::optional<SurfacePoint> raycast(const Ray& ray) const;
@@ -32,8 +33,12 @@ public:
     glm::vec3 normal(FaceId face, glm::vec2 uv) const;
 
 private:
+    /// At a face of the limit surface: points of one face after the other are cheap.
+    LimitSurface::Evaluator& at(FaceId face) const;
+
     const Surface& m_cage;
     const LimitMesh* m_limit;
+    mutable std::optional<LimitSurface::Evaluator> m_evaluator;
 };
 
 } // namespace trixel::ui

@@ -84,6 +84,11 @@ ViewMap::ViewMap(const Document& document,
             restart();
         }
     });
+    connect(&viewport, &Viewport::seenSurfaceChanged, this, [this] {
+        if (!isOfFaces(m_map)) {
+            restart();
+        }
+    });
     connect(&document, &Document::levelsChanged, this, [this] {
         if (isOfFaces(m_map)) {
             restart();
@@ -255,6 +260,7 @@ MapWork ViewMap::workOf(const MethodChoice& method) const
     work.map = m_map;
     work.camera = render::viewOf(m_viewport.camera());
     work.surface = m_document.surface();
+    work.limit = m_viewport.seenLimit();
     work.method = method;
     work.format = m_document.texels().format();
     work.look = m_settings.look();

@@ -275,6 +275,9 @@ void Viewport::resizeEvent(QResizeEvent* event)
     if (d->goTo) {
         d->goTo->place();
     }
+    if (d->creases) {
+        d->creases->place();
+    }
     d->splitBar->place();
 }
 

@@ -10,8 +10,8 @@
 #include "core/texture/texel_store.h"
 #include "render/camera.h"
 #include "render/frame_figures.h"
-#include "render/split.h"
 #include "render/overlay_pass.h"
+#include "render/split.h"
 #include "ui/viewport/hovered_texel.h"
 
 #include <array>
@@ -22,11 +22,13 @@
 #include <vector>
 
 namespace trixel {
+class LimitMesh;
 struct ViewCamera;
-}
+} // namespace trixel
 
 namespace trixel::ui {
 
+class BackgroundJobs;
 class Document;
 class FaceSelection;
 class Inspection;
@@ -140,8 +142,16 @@ public:
                         double magnification = 1.0,
                         bool withFrozen = false);
 
+    /// Tells of work for the picture that takes long, to be cancelled there. They must outlive the
+    /// view.
+    void useJobs(BackgroundJobs& jobs);
+    /// Shows the limit surface and asks in a line over the view which edges are its creases.
+    void askForCreases();
     /// Why the surface shown has no limit surface: a sentence; empty where it may have one.
     QString limitSurfaceRefusal() const;
+
+    /// The limit surface as it is seen; null where the cage is.
+    std::shared_ptr<const LimitMesh> seenLimit() const;
 
     /// Finishes everything that a picture needs and that is otherwise spread over frames, so that
     /// `grabFramebuffer` is complete.
@@ -167,6 +177,8 @@ signals:
     /// Other texels are shown than before, the document's or not.
     void otherTexelsShown(bool others);
     void limitSurfaceRefusalChanged();
+    /// The limit surface is seen in the cage's place, or the cage again, or another tessellation.
+    void seenSurfaceChanged();
     /// The pick tool met a texel.
     void colorPicked(const std::array<float, 4>& color);
     /// One sentence for the status bar (OpenGL not available, texels shown reduced, …).

@@ -40,14 +40,25 @@ void Viewport::Private::forgetFilterMesh()
     redraw();
 }
 
+/// Levels are chosen by the sizes of what is seen: the cage's, or its limit surface's.
+void Viewport::Private::takeFilteredLimit()
+{
+    const std::shared_ptr<const LimitMesh> limit = showsLimit() ? limitView.solid() : nullptr;
+    if (std::exchange(filteredLimit, limit) != limit) {
+        forgetFilterMesh();
+    }
+}
+
 void Viewport::Private::makeFilterMesh()
 {
     if (std::exchange(isMakingFilterMesh, true)) {
         return;
     }
-    filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface, store = document.texels()] {
+    filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface,
+                                               store = document.texels(),
+                                               limit = filteredLimit] {
         return std::make_shared<const render::FilterMesh>(
-            surface->mesh(), surface->adjacency(), store);
+            surface->mesh(), surface->adjacency(), store, limit ? &limit->tessellation() : nullptr);
     }));
     filterMeshMade = filterMeshNumber;
 }

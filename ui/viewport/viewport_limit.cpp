@@ -19,8 +19,41 @@ QString Viewport::limitSurfaceRefusal() const
     return d->limitView.refusal();
 }
 
+std::shared_ptr<const LimitMesh> Viewport::seenLimit() const
+{
+    return d->showsLimit() ? d->limitView.mesh() : nullptr;
+}
+
+void Viewport::useJobs(BackgroundJobs& jobs)
+{
+    d->limitView.useJobs(jobs);
+}
+
+void Viewport::askForCreases()
+{
+    if (!d->shownSurface || !limitSurfaceRefusal().isEmpty()) {
+        return;
+    }
+    ViewOptions view = d->settings.view();
+    view.limitSurface = true;
+    d->settings.setView(view);
+    if (!d->creases) {
+        d->creases = new CreaseBar(*this, d->document);
+    }
+    d->creases->ask();
+}
+
 void Viewport::Private::watchLimit()
 {
+    QObject::connect(&document, &Document::creasesChanged, &q, [this] {
+        limitView.setCreases(document.creaseAngle());
+        redraw();
+    });
+    QObject::connect(&limitView, &LimitView::cancelled, &q, [this] {
+        ViewOptions view = settings.view();
+        view.limitSurface = false;
+        settings.setView(view);
+    });
     QObject::connect(&limitView, &LimitView::tessellated, &q, [this] {
         limitDirty = true;
         redraw();
@@ -32,7 +65,9 @@ void Viewport::Private::watchLimit()
         if (selection) {
             takeSelection();
         }
+        takeFilteredLimit();
         redraw();
+        emit q.seenSurfaceChanged();
     });
     QObject::connect(
         &limitView, &LimitView::refusalChanged, &q, &Viewport::limitSurfaceRefusalChanged);

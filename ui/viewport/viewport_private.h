@@ -11,6 +11,7 @@
 #include "ui/viewport/canvas.h"
 #include "ui/viewport/card_painting.h"
 #include "ui/viewport/card_streaming.h"
+#include "ui/viewport/crease_bar.h"
 #include "ui/viewport/footprint_legend.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/go_to_bar.h"
@@ -134,6 +135,7 @@ public:
     // viewport_filtering.cpp: what ways of filtering need
     std::vector<render::Filtering> filteringsShown() const;
     void forgetFilterMesh();
+    void takeFilteredLimit();
     void makeFilterMesh();
     void filterMeshReady();
     void sendFilters(double milliseconds);
@@ -175,15 +177,17 @@ public:
     std::vector<std::uint32_t> normals; ///< empty until they are made
     QFutureWatcher<std::shared_ptr<const render::FilterMesh>> filterWatcher;
     std::shared_ptr<const render::FilterMesh>
-        filterMesh;                    ///< none until a way of filtering needs it
-    bool filterMeshDirty = true;       ///< the renderer has another
-    int filterMeshNumber = 0;          ///< of the surface and levels shown
-    int filterMeshMade = -1;           ///< the number when its making began
-    bool isMakingFilterMesh = false;   ///< and not taken over yet
-    QLabel* message = nullptr;         ///< in the view's place when it cannot draw
-    FootprintLegend* legend = nullptr; ///< none where there is no OpenGL
-    FrameHud* hud = nullptr;           ///< likewise
-    GoToBar* goTo = nullptr;           ///< none before it was asked for
+        filterMesh;                                 ///< none until a way of filtering needs it
+    bool filterMeshDirty = true;                    ///< the renderer has another
+    int filterMeshNumber = 0;                       ///< of the surface and levels shown
+    int filterMeshMade = -1;                        ///< the number when its making began
+    bool isMakingFilterMesh = false;                ///< and not taken over yet
+    std::shared_ptr<const LimitMesh> filteredLimit; ///< whose sizes it has; none: the cage's
+    QLabel* message = nullptr;                      ///< in the view's place when it cannot draw
+    FootprintLegend* legend = nullptr;              ///< none where there is no OpenGL
+    FrameHud* hud = nullptr;                        ///< likewise
+    GoToBar* goTo = nullptr;                        ///< none before it was asked for
+    CreaseBar* creases = nullptr;                   ///< likewise
 
     std::array<PictureOver, 2> pictures; ///< by side
     SplitBar* splitBar = nullptr;

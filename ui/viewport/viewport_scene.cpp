@@ -50,7 +50,7 @@ void Viewport::Private::takeSurface()
         normalsWatcher.setFuture(QtConcurrent::run(
             [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
     }
-    limitView.setSurface(shownSurface);
+    limitView.setSurface(shownSurface, document.creaseAngle());
     showOverlays();
     q.frameAll();
 }

@@ -93,7 +93,7 @@ QAction* ViewActions::addSwitch(const QString& text,
     return action;
 }
 
-void ViewActions::makeLimit(const Viewport& viewport)
+void ViewActions::makeLimit(Viewport& viewport)
 {
     m_limit = addSwitch(tr("Limit Surface"), {}, {Qt::Key_L}, {}, &ViewOptions::limitSurface);
     auto* errors = new QActionGroup(this);
@@ -112,6 +112,10 @@ void ViewActions::makeLimit(const Viewport& viewport)
             m_settings.setView(view);
         });
     }
+    m_creases = ActionMaker(m_window)(
+        tr("Creases by Angle…"),
+        tr("Choose which folded edges the limit surface keeps sharp; kept with the project"));
+    connect(m_creases, &QAction::triggered, &viewport, &Viewport::askForCreases);
     connect(&viewport, &Viewport::limitSurfaceRefusalChanged, this, [this] {
         if (!m_viewport.limitSurfaceRefusal().isEmpty()) {
             ViewOptions view = m_settings.view();
@@ -133,6 +137,7 @@ void ViewActions::followLimit()
         what, m_limit->shortcut().toString(QKeySequence::NativeText)));
     m_limit->setStatusTip(what);
     m_limit->setEnabled(refusal.isEmpty());
+    m_creases->setEnabled(refusal.isEmpty() && m_document.isOpen());
     for (const auto& [action, error] : m_limitErrors) {
         action->setChecked(m_settings.view().limitError == error);
         action->setEnabled(refusal.isEmpty());
@@ -209,6 +214,7 @@ void ViewActions::fillMenu(QMenu& menu)
     for (const auto& [action, error] : m_limitErrors) {
         errors->addAction(action);
     }
+    menu.addAction(m_creases);
     menu.addSeparator();
     menu.addAction(m_coarser);
     menu.addAction(m_finer);

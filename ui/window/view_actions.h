@@ -40,7 +40,7 @@ private:
                        const QString& iconName,
                        bool ViewOptions::*option);
     void followLimit();
-    void makeLimit(const Viewport& viewport);
+    void makeLimit(Viewport& viewport);
     void makeMips();
     void setMipDrop(int drop);
     /// \param drop  shown then, if there are as many mips
@@ -52,8 +52,9 @@ private:
     QWidget& m_window;
     std::vector<std::pair<QAction*, bool ViewOptions::*>> m_switches;
     QAction* m_limit = nullptr;
+    QAction* m_creases = nullptr;
     std::vector<std::pair<QAction*, double>> m_limitErrors; ///< pixels
-    const Viewport& m_viewport;
+    Viewport& m_viewport;
     QAction* m_frame = nullptr;
     QAction* m_frameAll = nullptr;
     QAction* m_coarser = nullptr;

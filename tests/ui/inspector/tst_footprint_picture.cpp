@@ -44,6 +44,7 @@ struct Tent
     TriangleMesh mesh = gridMesh(4);
     Adjacency adjacency;
     TexelStore texels;
+    std::shared_ptr<const Surface> surface;
 
     Tent()
     {
@@ -57,7 +58,11 @@ struct Tent
         }
         const std::array<std::byte, 3> fill{std::byte{200}, std::byte{120}, std::byte{40}};
         texels = TexelStore(TexelFormat{}, levels, fill);
+        NoProgress progress;
+        surface = Surface::build(mesh, progress).value();
     }
+
+    SeenSurface seen() const { return SeenSurface(*surface); }
 
     FootprintNet net(const PlacedFootprint& footprint) const
     {
@@ -275,7 +280,7 @@ private slots:
     {
         const Tent tent;
         const FootprintNet net = tent.net(kFootprint);
-        const auto lines = footprintOnSurface(net, tent.mesh, FootprintRole::Live, true);
+        const auto lines = footprintOnSurface(net, tent.seen(), FootprintRole::Live, true);
         QVERIFY(!lines.empty());
         std::set<bool> sides;
         for (const render::Polyline& line : lines) {
@@ -293,7 +298,7 @@ private slots:
         const Tent tent;
         const FootprintNet net = tent.net({faceId(12), {0.4, 0.45}, {{0.2, 0}, {0, 0.2}}});
         const std::vector<glm::dvec2> line{{-0.1, -0.04}, {0.12, 0.03}};
-        const auto pieces = onSurface(net, tent.mesh, line, {1, 1, 1, 1}, 1);
+        const auto pieces = onSurface(net, tent.seen(), line, {1, 1, 1, 1}, 1);
         QVERIFY(std::abs(lengthOf(pieces) - glm::distance(line[0], line[1])) < 1e-5);
     }
 
@@ -301,7 +306,7 @@ private slots:
     {
         const Tent tent;
         const Contributions weights = gaussianWeights(tent.net(kFootprint));
-        const auto lines = weightsOnSurface(tent.mesh, weights, 20);
+        const auto lines = weightsOnSurface(tent.seen(), weights, 20);
         QCOMPARE(lines.size(), std::size_t{20});
         QVERIFY(lines.back().width > lines.front().width); // the heaviest is drawn last
     }

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The limit surface in the view: seen, pointed at, painted on.
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QImage>
+#include <QToolButton>
 
+#include "core/mesh/crease_angle.h"
 #include "core/mesh/limit_surface.h"
 #include "core/paint/stroke_file.h"
 #include "tests/core/mesh/cages.h"
 #include "tests/ui/viewport/view_fixture.h"
+#include "ui/document/background_job.h"
+#include "ui/document/inspection.h"
+#include "ui/inspector/footprint_lines.h"
+#include "ui/viewport/crease_bar.h"
+#include "ui/viewport/limit_view.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -21,6 +30,18 @@ Project icosahedronProject(int level = 4)
     Project project;
     project.surface = Surface::build(test::icosahedron(), progress).value();
     project.texels = TexelStore(20, TexelFormat{}, Level(level), kFill);
+    return project;
+}
+
+/// Seen from the front, its face 2 has the edge from vertex 4 to 5 below.
+Project cubeProject(const Sharpness& sharpness = {})
+{
+    NoProgress progress;
+    TriangleMesh mesh = test::cube();
+    mesh.sharpness = sharpness;
+    Project project;
+    project.surface = Surface::build(std::move(mesh), progress).value();
+    project.texels = TexelStore(12, TexelFormat{}, Level(4), kFill);
     return project;
 }
 
@@ -65,6 +86,12 @@ struct LimitFixture : ViewFixture
         view.footprint = false;
         settings.setView(view);
         viewport->settle();
+    }
+    /// Of the middle of the cube's edge.
+    double edgeHeight() const
+    {
+        viewport->settle();
+        return viewport->seenLimit()->surface().at(faceId(2), {0.5, 0}).position.z;
     }
     LimitPoint limitAt(FaceId face, glm::dvec2 uv) const
     {
@@ -213,6 +240,205 @@ private slots:
         QVERIFY(!sameAs(before));
         f.document.undoStack().undo();
         QVERIFY(sameAs(before));
+    }
+
+    void creasesByAngleAreShownPointedAtAndUndone()
+    {
+        LimitFixture f;
+        QVERIFY(f.showLimit(cubeProject()));
+        const double round = f.edgeHeight();
+        QVERIFY(round < 0.95);
+        const int before = covered(f.viewport->grabFramebuffer());
+        QSignalSpy seen(f.viewport.get(), &Viewport::seenSurfaceChanged);
+        f.document.setCreaseAngle(30);
+        QVERIFY(f.document.isModified());
+        QVERIFY(std::abs(f.edgeHeight() - 1) < 1e-6);
+        QVERIFY(seen.size() > 0);
+        QVERIFY(covered(f.viewport->grabFramebuffer()) > before * 1.2);
+        const auto hit = f.viewport->surfacePointAt(QPointF(240, 240));
+        QVERIFY(hit && std::abs(hit->position.z - 1) < 1e-4F);
+        f.document.undoStack().undo();
+        QVERIFY(!f.document.isModified());
+        QCOMPARE(f.edgeHeight(), round);
+        f.document.undoStack().redo();
+        f.document.setCreaseAngle(95); // no edge is folded by so much
+        QCOMPARE(f.edgeHeight(), round);
+    }
+
+    void creasesOfTheMeshAreShownWithoutAnAngle()
+    {
+        LimitFixture f;
+        const Sharpness own{{{4, 5}, {5, 7}, {7, 6}, {6, 4}}, {}};
+        QVERIFY(f.showLimit(cubeProject(own)));
+        QVERIFY(std::abs(f.edgeHeight() - 1) < 1e-6);
+        const auto& limit = f.viewport->seenLimit()->surface();
+        QVERIFY(limit.at(faceId(0), {0.5, 0.5}).position.z > -0.95); // those below are round
+    }
+
+    void strokesOnACreasedSurfaceReplayToTheSameBytes()
+    {
+        LimitFixture f;
+        QVERIFY(f.showLimit(cubeProject()));
+        f.document.setCreaseAngle(30);
+        f.viewport->settle();
+        RecordedStroke recorded{f.settings.brush(), {}};
+        recorded.brush.radius = 0.4F;
+        f.settings.setBrush(recorded.brush);
+        recorded.onLimit = true;
+        const QPoint at(240, 240);
+        const auto point = f.viewport->surfacePointAt(at);
+        QVERIFY(point);
+        recorded.samples.push_back({point->face, point->uv});
+        TexelStore replayed = f.document.texels();
+        QTest::mouseClick(f.viewport.get(), Qt::LeftButton, Qt::NoModifier, at);
+        NoProgress progress;
+        const auto isPainted = [&](CreaseAngle creases) {
+            TexelStore store = replayed;
+            const Status status = replayStrokes(std::span(&recorded, 1),
+                                                f.document.surface(),
+                                                kFill,
+                                                store,
+                                                Threads::all(),
+                                                progress,
+                                                creases);
+            bool isSame = status.has_value();
+            for (std::size_t face = 0; face < 12; ++face) {
+                isSame =
+                    isSame && std::ranges::equal(store.face(faceId(face)).bytes(),
+                                                 f.document.texels().face(faceId(face)).bytes());
+            }
+            return isSame;
+        };
+        QVERIFY(isPainted(30.0F));
+        QVERIFY(!isPainted({})); // another surface
+    }
+
+    void theBarChoosesAnAngleAsOneUndoStep()
+    {
+        LimitFixture f;
+        QVERIFY(f.show(cubeProject()));
+        f.viewport->askForCreases();
+        QVERIFY(f.settings.view().limitSurface);
+        auto* bar = f.viewport->findChild<CreaseBar*>();
+        QVERIFY(bar && bar->isVisible());
+        auto* isOn = bar->findChild<QCheckBox*>();
+        auto* angle = bar->findChild<QDoubleSpinBox*>();
+        QVERIFY(!isOn->isChecked());
+        QVERIFY(!angle->isEnabled());
+        isOn->click();
+        QCOMPARE(f.document.creaseAngle(), CreaseAngle(30.0F));
+        angle->stepUp();
+        angle->stepUp();
+        QCOMPARE(f.document.creaseAngle(), CreaseAngle(40.0F));
+        QCOMPARE(f.document.undoStack().count(), 1);
+        QVERIFY(std::abs(f.edgeHeight() - 1) < 1e-6);
+
+        f.document.undoStack().undo();
+        QVERIFY(!f.document.creaseAngle());
+        QVERIFY(!isOn->isChecked());
+        f.document.undoStack().redo();
+        QCOMPARE(f.document.creaseAngle(), CreaseAngle(40.0F));
+        QCOMPARE(angle->value(), 40.0);
+        angle->stepUp(); // after an undo: another step
+        QCOMPARE(f.document.undoStack().count(), 2);
+        QTest::keyClick(angle, Qt::Key_Escape);
+        QVERIFY(!bar->isVisible());
+        f.viewport->askForCreases();
+        angle->stepUp();
+        QCOMPARE(f.document.undoStack().count(), 3);
+    }
+
+    void theLimitIsToldOfWhileItIsMade()
+    {
+        BackgroundJobs jobs;
+        LimitFixture f;
+        QVERIFY(f.show(icosahedronProject()));
+        f.viewport->useJobs(jobs);
+        QStringList titles;
+        connect(&jobs, &BackgroundJobs::started, this, [&](BackgroundJob* job) {
+            titles += job->title();
+        });
+        f.setLimit(true);
+        QVERIFY(f.viewport->seenLimit());
+        QVERIFY(titles.contains("Making the limit surface"));
+        titles.clear();
+        f.viewport->lookFrom(20, 20); // follows the camera silently
+        f.viewport->settle();
+        QCOMPARE(titles, QStringList());
+        QTRY_VERIFY(jobs.isIdle());
+    }
+
+    void cancelledItsMakingLeavesTheCageAndMayBeginAgain()
+    {
+        BackgroundJobs jobs;
+        LimitFixture f;
+        QVERIFY(f.show(icosahedronProject()));
+        f.viewport->useJobs(jobs);
+        const auto cancelling = connect(
+            &jobs, &BackgroundJobs::started, this, [](BackgroundJob* job) { job->cancel(); });
+        f.setLimit(true);
+        QTRY_VERIFY(!f.settings.view().limitSurface);
+        QVERIFY(!f.viewport->seenLimit());
+        QVERIFY(f.viewport->limitSurfaceRefusal().isEmpty());
+        disconnect(cancelling);
+        f.setLimit(true);
+        QVERIFY(f.viewport->seenLimit());
+        QTRY_VERIFY(jobs.isIdle());
+    }
+
+    void anAngleChosenWhileItIsMadeIsTheOneThatComes()
+    {
+        BackgroundJobs jobs;
+        LimitFixture f;
+        QVERIFY(f.showLimit(cubeProject()));
+        f.viewport->useJobs(jobs);
+        for (const float angle : {10.0F, 95.0F, 30.0F, 120.0F, 40.0F}) {
+            f.document.setCreaseAngle(angle);
+            QVERIFY(f.viewport->seenLimit()); // what is there stays until the other is
+        }
+        QVERIFY(std::abs(f.edgeHeight() - 1) < 1e-6);
+        QTRY_VERIFY(jobs.isIdle());
+    }
+
+    void probedFootprintsAreTheLimitsAndDrawnOnIt()
+    {
+        LimitFixture f;
+        QVERIFY(f.showLimit());
+        const auto limit = f.viewport->seenLimit();
+        Inspection inspection(f.document);
+        FootprintProbe probe(f.document, inspection);
+        probe.setActive(true);
+        probe.setCamera(f.viewport->camera());
+        const auto point = f.viewport->surfacePointAt(QPointF(240, 240));
+        QVERIFY(point);
+        inspection.pointAt(point->face, point->uv);
+        QVERIFY(probe.live());
+        const Footprint onCage = probe.live()->placed.footprint;
+        probe.setLimit(limit);
+        const Footprint onLimit = probe.live()->placed.footprint;
+        const glm::dvec2 uv(point->uv);
+        const auto pixel = [&](glm::dvec2 step) {
+            return *f.viewport->camera().project(f.limitAt(point->face, uv + step).position);
+        };
+        constexpr double h = 1e-3;
+        const auto moved = [&](glm::dvec2 w) { return (pixel(h * w) - pixel(-h * w)) / (2 * h); };
+        QVERIFY(glm::distance(moved(onLimit.w1), glm::dvec2(1, 0)) < 0.01);
+        QVERIFY(glm::distance(moved(onLimit.w2), glm::dvec2(0, 1)) < 0.01);
+        QVERIFY(glm::distance(moved(onCage.w1), glm::dvec2(1, 0)) > 0.05);
+        const auto& per = probe.live()->derivatives;
+        QVERIFY(per);
+
+        FootprintMarks marks;
+        marks.live = &*probe.live();
+        const SeenSurface seen(*f.document.surface(), limit.get());
+        const auto lines = marksOnSurface(seen, f.document.texels(), marks);
+        QVERIFY(!lines.empty());
+        for (const render::Polyline& line : lines) {
+            for (const glm::vec3 p : line.points) {
+                const auto near = limit->closestPoint(p, 1);
+                QVERIFY(near && glm::distance(near->position, p) < 2e-3F);
+            }
+        }
     }
 
     void theErrorIsToldAndFewerPixelsTakeMoreTriangles()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The maps over the view, driven as a user does.
+#include "core/mesh/limit_mesh.h"
 #include "core/study/views/view_map.h"
 #include "render/camera_view.h"
+#include "tests/core/mesh/cages.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/docks/readout_panel.h"
 #include "ui/viewport/map_legend.h"
@@ -91,6 +93,33 @@ private slots:
         const render::Rgb color = MapScale::of(ViewMapKind::Condition).color(*value);
         QCOMPARE(seen(middle), QColor(color[0], color[1], color[2]));
         QVERIFY(!map().valueAt(QPointF(2, view().height() - 2))); // beside the mesh
+    }
+
+    void conditionIsTheLimitSurfacesWhereThatIsShown()
+    {
+        NoProgress progress;
+        Project project;
+        project.surface = Surface::build(test::icosahedron(), progress).value();
+        project.texels = TexelStore(20, TexelFormat{}, Level(3), std::array<std::byte, 3>{});
+        document().open(std::move(project), {}, "ball");
+        show(ViewMapKind::Condition);
+        const QPoint at = view().rect().center() + QPoint(60, 30);
+        const float onCage = *map().valueAt(at);
+        ViewOptions options = m_window->settings().view();
+        options.limitSurface = true;
+        m_window->settings().setView(options);
+        QTRY_VERIFY(view().seenLimit());
+        QTRY_VERIFY(!map().isComplete());
+        QTRY_VERIFY(map().isComplete());
+        const glm::dvec2 pixel = glm::floor(glm::dvec2(at.x(), at.y())) + 0.5;
+        const auto point = view().surfacePointAt(QPointF(pixel.x, pixel.y));
+        QVERIFY(point);
+        const glm::dvec2 uv(point->uv);
+        const auto flat = view().seenLimit()->surface().at(point->face, uv).tangentFace(uv);
+        const Footprint footprint = screenFootprint(view().camera().pixelRay(pixel), flat);
+        const double condition = ellipseOf(footprint, flat).anisotropy();
+        QVERIFY(std::abs(*map().valueAt(at) / condition - 1) < 1e-3);
+        QVERIFY(std::abs(onCage / condition - 1) > 0.02);
     }
 
     void thePointerReadsItsNumber()
