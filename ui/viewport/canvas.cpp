@@ -17,8 +17,12 @@ Canvas::Canvas(const QSurfaceFormat& format, Hooks hooks, QWidget* parent)
     setAccessibleName(tr("Picture"));
 }
 
+/// The widget below this one ends its context when this one is gone: it must not be told of that.
 Canvas::~Canvas()
 {
+    if (context() != nullptr) {
+        disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Canvas::endContext);
+    }
     endContext();
 }
 
