@@ -247,7 +247,6 @@ void LayoutView::fitSight()
                     {std::max(inside.width(), 1.0), std::max(inside.height(), 1.0)});
 }
 
-/// What is special about what is shown, or what the view is.
 QString LayoutView::caption() const
 {
     if (m_numbers && m_scene && indexOf(m_scene->main().face) < m_numbers->values.size()) {
@@ -258,6 +257,10 @@ QString LayoutView::caption() const
     if (m_filter != nullptr && m_filter->isWanted()) {
         return tr("Every pixel filtered by %1, as the view is")
             .arg(methodTitle(m_sources.settings.method()));
+    }
+    if (m_kind == LayoutKind::Net && m_sources.settings.comparison().by == ComparedBy::Filtering) {
+        return tr("Texels as they are stored, on both sides of the view's line: A and B differ in "
+                  "how the graphics card draws them, which is seen in the view alone");
     }
     return captionOf(m_kind);
 }

@@ -67,6 +67,10 @@ public:
     /// The texel looked at differs. \param follow  whether to bring it into sight
     void refreshInspected(bool follow);
 
+    /// One or two sentences below the title: what is special about what is shown, or what the
+    /// view is.
+    QString caption() const;
+
     const PlaneSight& sight() const { return m_sight; }
     void frame();
     /// A texel as large as a pixel of the screen.
@@ -139,7 +143,6 @@ private:
                    const LayoutInk& ink,
                    bool asShapes) const;
     void drawSplit(QPainter& painter, const std::vector<Part>& parts, const LayoutInk& ink) const;
-    QString caption() const;
     void fitSight();
     void renderBase();
     void drawScene(const LayoutInk& ink, const QRectF& plane);

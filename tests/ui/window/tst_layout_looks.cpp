@@ -155,6 +155,22 @@ private slots:
         QCOMPARE(colorAt(place), before);
     }
 
+    void twoWaysOfDrawingAreSaidToBeSeenInTheViewAlone()
+    {
+        const QString plain = net().caption();
+        const QImage before = picture();
+        press(Qt::Key_8, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(m_window->settings().comparison().by == ComparedBy::Filtering);
+        QVERIFY(m_window->viewport().splitBar().isVisible());
+        QVERIFY(!bar().isVisible());
+        QVERIFY(net().caption() != plain && net().caption().contains("view alone"));
+        QVERIFY(picture() != before); // it is written there
+        QCOMPARE(view(LayoutKind::Packed).caption(), captionOf(LayoutKind::Packed));
+        press(Qt::Key_8, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(net().caption(), plain);
+        QTRY_COMPARE(picture(), before);
+    }
+
     void oneLineSplitsViewAndNet()
     {
         press(Qt::Key_0, Qt::ControlModifier);
