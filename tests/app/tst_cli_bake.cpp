@@ -3,6 +3,9 @@
 // trixel bake.
 #include "tests/app/cli_test.h"
 
+#include <cmath>
+#include <optional>
+
 namespace trixel::test {
 namespace {
 
@@ -41,12 +44,14 @@ protected:
     }
 
     /// A square with uvs times a factor.
-    std::string square(const std::string& name, const std::string& uv = "1") const
+    std::string square(const std::string& name,
+                       const std::string& uv = "1",
+                       const std::optional<std::string>& upwards = {}) const
     {
+        const std::string v = upwards.value_or(uv);
         write("square.obj",
-              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
-              "vt 0 0\nvt " +
-                  uv + " 0\nvt " + uv + " " + uv + "\nvt 0 " + uv + "\nf 1/1 2/2 3/3 4/4\n");
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt " + uv + " 0\nvt " + uv + " " + v +
+                  "\nvt 0 " + v + "\nf 1/1 2/2 3/3 4/4\n");
         EXPECT_THAT(runTrixel({"new", path("square.obj"), "-o", path(name), "--level", "5"}),
                     EndsWith(0));
         return path(name);
@@ -216,7 +221,7 @@ TEST_F(Bake, whatIsPaintedGoesOutByTheMeshsUvsAndComesBack)
                            "-o",
                            path("q.trixel")}),
                 EndsWith(0));
-    for (const char* name : {"out.png", "out.tif", "out.exr", "out.tx"}) {
+    for (const char* name : {"out.png", "out.tx"}) {
         std::vector<std::string> arguments = {
             "bake-out", path("q.trixel"), "-o", path(name), "--size", "64"};
         if (std::string(name) == "out.tx") {
@@ -235,7 +240,7 @@ TEST_F(Bake, whatIsPaintedGoesOutByTheMeshsUvsAndComesBack)
 TEST_F(Bake, whatCannotGoOutIsOneLineAndWritesNothing)
 {
     const std::string project = square("p.trixel");
-    const std::string tiles = square("tiles.trixel", "2");
+    const std::string tiles = square("tiles.trixel", "2", "1");
     const std::string tiny = square("tiny.trixel", "0.001");
     EXPECT_THAT(runTrixel({"new", mesh(), "-o", path("plain.trixel"), "--level", "2"}),
                 EndsWith(0));
@@ -266,7 +271,7 @@ TEST_F(Bake, whatCannotGoOutIsOneLineAndWritesNothing)
     EXPECT_THAT(
         runTrixel({"bake-out", tiles, "-o", path("o.<UDIM>.png"), "--size", "8", "--gutter", "2"}),
         EndsWith(0));
-    EXPECT_EQ(files().size(), before.size() + 4);
+    EXPECT_EQ(files().size(), before.size() + 2);
 }
 
 } // namespace

@@ -251,8 +251,8 @@ TEST(UvImageTest, unusableUvsAndImagesTooSmallAreRefusedInASentence)
     EXPECT_GT(coarse->facesWithoutPixel, 64U);
 }
 
-/// Noise of octaves down to a few pixels, each half as strong as the one before: as photographs
-/// have it, their lens and sensor taken into account.
+/// Noise of octaves down to a few pixels, equally strong each as photographs have them, but for the
+/// last two, which lens and sensor damp.
 double natural(double x, double y)
 {
     const auto hash = [](int i, int j, int octave) {
@@ -264,8 +264,8 @@ double natural(double x, double y)
         return static_cast<double>(h ^ h >> 15U) / 4294967296.0 - 0.5;
     };
     double sum = 0.5;
-    double amplitude = 0.5;
     for (int cell = 128; cell >= 4; cell /= 2) {
+        const double amplitude = cell >= 16 ? 0.25 : cell == 8 ? 0.15 : 0.06;
         const double gx = x / cell;
         const double gy = y / cell;
         const int i = static_cast<int>(std::floor(gx));
@@ -276,7 +276,6 @@ double natural(double x, double y)
         sum += amplitude * std::lerp(std::lerp(hash(i, j, cell), hash(i + 1, j, cell), tx),
                                      std::lerp(hash(i, j + 1, cell), hash(i + 1, j + 1, cell), tx),
                                      ty);
-        amplitude /= 2;
     }
     return sum;
 }
