@@ -114,7 +114,8 @@ void ViewActions::makeLimit(Viewport& viewport)
     }
     m_creases = ActionMaker(m_window)(
         tr("Creases by Angle…"),
-        tr("Choose which folded edges the limit surface keeps sharp; kept with the project"));
+        tr("Choose which folded edges the limit surface keeps sharp; kept with the project"),
+        QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_L));
     connect(m_creases, &QAction::triggered, &viewport, &Viewport::askForCreases);
     connect(&viewport, &Viewport::limitSurfaceRefusalChanged, this, [this] {
         if (!m_viewport.limitSurfaceRefusal().isEmpty()) {
