@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <utility>
 
 namespace trixel {
@@ -21,6 +22,40 @@ void repeat(std::span<const std::byte> texel, std::size_t count, std::byte* targ
 }
 
 } // namespace
+
+/// Faces about a tile, for as long as it is filled: those still in their file are read to be
+/// forgotten again.
+class AtlasTexels::Neighbours
+{
+public:
+    explicit Neighbours(const std::vector<FaceTexels>& faces)
+        : m_faces(faces)
+    {
+    }
+
+    const FaceTexels& operator[](FaceId face)
+    {
+        const FaceTexels& texels = m_faces[indexOf(face)];
+        if (!texels.isStored()) {
+            return texels;
+        }
+        auto known = std::ranges::find(m_pinned, face, &Pinned::face);
+        if (known == m_pinned.end()) {
+            known = m_pinned.insert(m_pinned.end(), {face, texels.pinned()});
+        }
+        return known->texels;
+    }
+
+private:
+    struct Pinned
+    {
+        FaceId face{};
+        FaceTexels texels;
+    };
+
+    const std::vector<FaceTexels>& m_faces;
+    std::deque<Pinned> m_pinned; // a few: those about the tile's corners
+};
 
 AtlasTexels::AtlasTexels(const TexelStore& store, const Adjacency& adjacency)
     : m_adjacency(adjacency)
@@ -62,7 +97,8 @@ AtlasSource AtlasTexels::source(FaceId face, LatticeCell cell) const
     return {place.face, levelOf(place.face), texelAt(levelOf(place.face), place.uv)};
 }
 
-void AtlasTexels::fillBorder(FaceId face,
+void AtlasTexels::fillBorder(Neighbours& neighbours,
+                             FaceId face,
                              const AtlasTile& tile,
                              std::uint32_t row,
                              std::uint32_t begin,
@@ -72,8 +108,7 @@ void AtlasTexels::fillBorder(FaceId face,
     const std::size_t texelBytes = m_format.texelBytes();
     for (std::uint32_t x = begin; x < end; ++x) {
         const AtlasSource from = source(face, tile.cell({x, row}));
-        const auto texel =
-            m_faces[indexOf(from.face)].texel(indexOf(texelIndex(from.level, from.texel)));
+        const auto texel = neighbours[from.face].texel(indexOf(texelIndex(from.level, from.texel)));
         std::memcpy(target + x * texelBytes, texel.data(), texelBytes);
     }
 }
@@ -83,7 +118,8 @@ void AtlasTexels::fill(FaceId face,
                        std::byte* page,
                        std::size_t stride) const
 {
-    const FaceTexels& texels = m_faces[indexOf(face)];
+    Neighbours neighbours(m_faces);
+    const FaceTexels& texels = neighbours[face];
     const std::uint32_t resolution = texels.level().resolution();
     const std::size_t texelBytes = m_format.texelBytes();
     const std::uint32_t side = tile.side();
@@ -105,7 +141,7 @@ void AtlasTexels::fill(FaceId face,
         std::uint32_t done = 0; // columns of this row
         const auto place =
             [&](std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t moved) {
-                fillBorder(face, tile, row, done, x + moved, target);
+                fillBorder(neighbours, face, tile, row, done, x + moved, target);
                 copy(x, y, count, target + (x + moved) * texelBytes);
                 done = x + moved + count;
             };
@@ -115,7 +151,7 @@ void AtlasTexels::fill(FaceId face,
         if (row >= upper && row - upper < resolution && row > upper) {
             place(resolution - (row - upper), row - upper, row - upper, upper);
         }
-        fillBorder(face, tile, row, done, side, target);
+        fillBorder(neighbours, face, tile, row, done, side, target);
     }
 }
 

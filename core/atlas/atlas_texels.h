@@ -46,13 +46,15 @@ public:
     /// border it is the nearest texel inside.
     AtlasSource source(FaceId face, LatticeCell cell) const;
 
-    /// Writes the tile of a face, all pixels of it.
+    /// Writes the tile of a face, all pixels of it. Stored faces that it reads are not held.
     /// \param page    the first pixel of the tile
     /// \param stride  bytes from one row of the page to the next
     void fill(FaceId face, const AtlasTile& tile, std::byte* page, std::size_t stride) const;
 
 private:
-    void fillBorder(FaceId face,
+    class Neighbours;
+    void fillBorder(Neighbours& neighbours,
+                    FaceId face,
                     const AtlasTile& tile,
                     std::uint32_t row,
                     std::uint32_t begin,

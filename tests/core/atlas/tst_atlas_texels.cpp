@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/atlas/atlas_texels.h"
 #include "core/texture/mips.h"
+#include "core/texture/stored_faces.h"
 #include "tests/core/atlas/atlas_pages.h"
 
 #include <gtest/gtest.h>
@@ -183,3 +184,61 @@ TEST(AtlasTexels, aBorderOfTheMeshRepeatsTheNearestTexels)
 }
 
 } // namespace
+
+namespace {
+
+/// Faces of a store in memory, as if they lay in a file.
+class StoreReader final : public FaceReader
+{
+public:
+    explicit StoreReader(TexelStore store)
+        : m_store(std::move(store))
+    {
+    }
+
+    Result<bool> read(FaceId face, Level /*level*/, std::span<std::byte> texels) const override
+    {
+        std::ranges::copy(m_store.face(face).bytes(), texels.begin());
+        return true;
+    }
+    bool stores(FaceId /*face*/, Level /*level*/) const override { return false; }
+    std::span<const std::byte> mean(FaceId face) const override
+    {
+        return m_store.face(face).texel(0);
+    }
+
+private:
+    TexelStore m_store;
+};
+
+} // namespace
+
+TEST(AtlasTexels, holdNoneOfTheFacesThatLieInAFile)
+{
+    const TriangleMesh mesh = turnedGrid(3, 1);
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    const TexelFormat format;
+    TexelStore memory = randomStore(mesh.faceCount(), format, 4, 6);
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        (void)memory.writable(faceId(f));
+    }
+    const auto stored = StoredFaces::make(format, std::make_unique<StoreReader>(memory), 0);
+    TexelStore onDemand = memory;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        onDemand.exchange(faceId(f), stored->face(faceId(f), memory.face(faceId(f)).level()));
+    }
+    const AtlasTexels expected(memory, adjacency);
+    const AtlasTexels texels(onDemand, adjacency);
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const AtlasTile tile(texels.levelOf(faceId(f)), AtlasBorder::Bilinear);
+        const std::size_t stride = tile.side() * format.texelBytes();
+        std::vector<std::byte> one(tile.side() * stride);
+        std::vector<std::byte> other(one.size());
+        texels.fill(faceId(f), tile, one.data(), stride);
+        expected.fill(faceId(f), tile, other.data(), stride);
+        ASSERT_EQ(one, other) << f;
+    }
+    EXPECT_GT(stored->readBytes(), 0U);
+    EXPECT_EQ(stored->heldBytes(), 0U);
+    EXPECT_EQ(stored->cachedBytes(), 0U);
+}
