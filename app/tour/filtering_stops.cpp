@@ -2,6 +2,7 @@
 //
 // The stops at what the graphics card filters, and at the limit surface.
 #include "app/tour/stops.h"
+#include "ui/viewport/crease_bar.h"
 #include "ui/viewport/frame_hud.h"
 #include "ui/viewport/split_bar.h"
 #include "ui/viewport/viewport.h"
@@ -55,12 +56,29 @@ Status Stops::limitSurface()
         !shown) {
         return shown;
     }
-    const Status taken = picture("limit-surface");
+    Status taken = picture("limit-surface");
+    if (taken) {
+        taken = chosenCreases();
+    }
     m_input.keys(QKeySequence(Qt::CTRL | Qt::Key_U));
     m_input.keys(Qt::Key_L);
     m_input.keys(Qt::Key_W);
     return taken ? expect(!m_window.settings().view().limitSurface, "L again shows the cage")
                  : taken;
+}
+
+/// Edges folded by more than an angle stay sharp on the limit surface.
+Status Stops::chosenCreases()
+{
+    m_input.keys(QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_L));
+    auto* bar = m_view.findChild<ui::CreaseBar*>();
+    if (Status asked = expect(bar != nullptr && bar->isVisible(), "Ctrl+Alt+L asks for the angle");
+        !asked) {
+        return asked;
+    }
+    const Status taken = pictureOf(*bar, "creases");
+    m_input.press(*bar, Qt::Key_Escape);
+    return taken;
 }
 
 } // namespace trixel::app

@@ -55,6 +55,7 @@ private:
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
     Status lowLevels();
+    Status chosenCreases();
     /// Opens the dialog and asks for a file of that name; pictures it once its size is said.
     Status askForExport(const std::string& file, const std::string& pictureName);
     Status copiedPicture();
