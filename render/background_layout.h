@@ -15,7 +15,7 @@
 
 namespace trixel::render {
 
-/// Makes the first filling of a layout (`DisplayVertices`, `DisplayAtlas`) on a thread of its own,
+/// Makes the first filling of a layout (`DisplayAtlas`) on a thread of its own,
 /// slice by slice; the window's thread sends slices to the card as they come, and has the layout
 /// when all have been taken. Stops and waits for the slice at hand when it is destroyed.
 template <class Layout, class Update>

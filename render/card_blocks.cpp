@@ -116,7 +116,7 @@ std::uint32_t CardBlocks::slotOf(const Class& c, std::uint32_t offset) const
     return shelf * c.perShelf + (offset - begin) / c.size;
 }
 
-bool CardBlocks::resize(FaceId face, Level level)
+bool CardBlocks::resize(FaceId face, Level level, bool keeps)
 {
     const auto f = static_cast<std::uint32_t>(face);
     const FaceRecord before = record(face);
@@ -139,7 +139,7 @@ bool CardBlocks::resize(FaceId face, Level level)
     }
     // Taking a slot may have moved the old block.
     const std::uint32_t from = record(face).offset;
-    if (m_kind == BlockKind::Vertices) {
+    if (m_kind == BlockKind::Vertices && keeps) {
         const Level common = std::min(level, Level(old));
         m_moves.push_back({from, offset, elementsOf(m_kind, common)});
     }

@@ -102,6 +102,11 @@ public:
     std::uint32_t heapElements() const;                   ///< of that, for blocks above level 0
     /// Elements in blocks, the bases included.
     std::uint32_t used() const { return m_baseEnd + m_blockElements; }
+    /// Blocks of a level (1 or more).
+    std::uint32_t blockCount(Level level) const
+    {
+        return m_classes[static_cast<std::size_t>(level.log2())].used;
+    }
     /// Elements that no other class can have now, the bases included.
     std::uint32_t reserved() const;
 
@@ -109,16 +114,18 @@ public:
     const FaceRecord& record(FaceId face) const { return m_records[indexOf(face)]; }
     /// Where the elements of level 0 lie for good.
     std::uint32_t baseOffset(FaceId face) const;
+    std::uint32_t baseElements() const { return m_baseEnd; } ///< of all faces
     /// Whether the face has a block in the heap.
     bool hasBlock(FaceId face) const { return m_records[indexOf(face)].offset >= m_baseEnd; }
 
     /// Gives the face a block of this level in the place of the one it has. What is in it is
     /// undefined, but for vertices the levels that both blocks have are copied. Level 0 is the
-    /// base. The face is not pending any more. \return  false, and nothing changes for this face,
-    /// when there is no room
-    bool resize(FaceId face, Level level);
+    /// base. The face is not pending any more.
+    /// \param keeps  false where what is in the block is of no use: nothing is copied
+    /// \return  false, and nothing changes for this face, when there is no room
+    bool resize(FaceId face, Level level, bool keeps = true);
     /// The face keeps its base alone.
-    void release(FaceId face) { (void)resize(face, Level()); }
+    void release(FaceId face, bool keeps = true) { (void)resize(face, Level(), keeps); }
     /// Sets or clears flags and the own level of a face's record.
     /// \param bits  all but the level, which the block decides
     void mark(FaceId face, std::uint32_t bits);

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Blocks of texels made elsewhere: what is to be made, and what becomes of it.
+// Blocks made elsewhere: what is to be made, and what becomes of it.
 #include "core/base/check.h"
-#include "render/display_texels.h"
+#include "render/display_blocks.h"
 
 #include <algorithm>
 
 namespace trixel::render {
 
-namespace {
+std::size_t DisplayBlocks::bytesOf(int level) const
+{
+    return elementsOf(m_kind, Level(level)) * m_form.elementBytes();
+}
 
-/// Texels of a face that are read here and now rather than by another job.
-constexpr std::uint32_t kFewTexels = 1U << 14U;
-
-} // namespace
-
-bool DisplayTexels::hasJobs(bool means) const
+bool DisplayBlocks::hasJobs(bool means) const
 {
     return !m_opens && (!m_again.empty() || m_nextMake < m_plan.make.size() ||
                         (means && m_nextMean < m_means.size()));
 }
 
 /// Whether the block would be better than what is shown.
-bool DisplayTexels::isUseful(const BlockJob& job) const
+bool DisplayBlocks::isUseful(const BlockJob& job) const
 {
     const FaceOnCard& face = m_faces[indexOf(job.face)];
     const int shown = face.level();
@@ -31,7 +29,7 @@ bool DisplayTexels::isUseful(const BlockJob& job) const
 }
 
 /// Makes the next block coarser that the view can do without, or gives it up.
-bool DisplayTexels::makeSpare(JobBatch& batch)
+bool DisplayBlocks::makeSpare(JobBatch& batch)
 {
     while (m_nextSpare < m_plan.spare.size()) {
         const BlockJob job = m_plan.spare[m_nextSpare++];
@@ -41,8 +39,16 @@ bool DisplayTexels::makeSpare(JobBatch& batch)
             continue;
         }
         if (job.level == 0) {
-            m_blocks.release(job.face);
-            face.shown = 0;
+            release(job.face, !face.isStale());
+            return true;
+        }
+        if (isVertices() && !face.isStale()) { // the beginning of what is there will do
+            if (resize(job.face, job.level, true)) {
+                face.shown = job.level;
+            } else { // no room for both of them
+                release(job.face, true);
+                m_again.push_back(job);
+            }
             return true;
         }
         batch.jobs.push_back(job);
@@ -54,15 +60,25 @@ bool DisplayTexels::makeSpare(JobBatch& batch)
     return false;
 }
 
+/// By blocks, each with its share of what is left over.
+std::int64_t DisplayBlocks::roomUsed() const
+{
+    std::int64_t used = 0;
+    for (int level = 1; level <= Level::kMax; ++level) {
+        used += std::int64_t{m_blocks.blockCount(Level(level))} *
+                m_room.perBlock[static_cast<std::size_t>(level)];
+    }
+    return used;
+}
+
 /// \return  false when there is no room for it
-bool DisplayTexels::addJob(const BlockJob& job, JobBatch& batch)
+bool DisplayBlocks::addJob(const BlockJob& job, JobBatch& batch)
 {
     const auto shown = static_cast<std::size_t>(m_faces[indexOf(job.face)].level());
     const std::int64_t more =
         job.level == 0 ? 0 : std::int64_t{m_room.perBlock[job.level]} - m_room.perBlock[shown];
     const auto isTooMuch = [&] {
-        const auto used = static_cast<std::int64_t>(m_blocks.used() - m_faces.size());
-        return more > 0 && used + m_elementsInFlight + batch.elements + more >
+        return more > 0 && roomUsed() + m_elementsInFlight + batch.elements + more >
                                static_cast<std::int64_t>(m_room.elements);
     };
     while (isTooMuch()) {
@@ -77,9 +93,9 @@ bool DisplayTexels::addJob(const BlockJob& job, JobBatch& batch)
 }
 
 /// Means of faces that have none yet.
-void DisplayTexels::addMeans(std::size_t bytes, JobBatch& batch)
+void DisplayBlocks::addMeans(std::size_t bytes, JobBatch& batch)
 {
-    const std::size_t most = bytes / m_form.elementBytes();
+    const std::size_t most = bytes / bytesOf(0);
     for (; m_nextMean < m_means.size() && batch.jobs.size() < most; ++m_nextMean) {
         const FaceId face = m_means[m_nextMean];
         m_noMean[indexOf(face)] = false;
@@ -91,7 +107,7 @@ void DisplayTexels::addMeans(std::size_t bytes, JobBatch& batch)
     }
 }
 
-JobBatch DisplayTexels::nextJobs(std::size_t bytes, bool means)
+JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
 {
     JobBatch batch;
     batch.generation = m_generation;
@@ -111,7 +127,7 @@ JobBatch DisplayTexels::nextJobs(std::size_t bytes, bool means)
             if (!addJob(job, batch)) {
                 return false;
             }
-            made += Level(job.level).texelCount() * m_form.elementBytes();
+            made += bytesOf(job.level);
         }
         return true;
     };
@@ -132,13 +148,19 @@ JobBatch DisplayTexels::nextJobs(std::size_t bytes, bool means)
         ++m_nextMake;
     }
     if (means && wantsMore()) {
-        addMeans(std::max<std::size_t>(bytes, m_form.elementBytes()), batch);
+        addMeans(std::max(bytes, bytesOf(0)), batch);
     }
     m_elementsInFlight += batch.elements;
     return batch;
 }
 
-void DisplayTexels::accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store)
+std::optional<MadeBlocks> DisplayBlocks::makeAgain(const TexelStore& /*store*/,
+                                                   const BlockJob& /*job*/) const
+{
+    return std::nullopt;
+}
+
+void DisplayBlocks::accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store)
 {
     check(made.jobs.size() == batch.jobs.size(), "blocks of these jobs");
     if (batch.generation != m_generation) {
@@ -156,16 +178,15 @@ void DisplayTexels::accept(const MadeBlocks& made, const JobBatch& batch, const 
         inFlight = (--inFlight & ~kTouchedInFlight) == 0 ? 0 : inFlight;
         if (!wasTouched) {
             acceptBlock(job, bytes);
-        } else if (store.face(job.face).level().texelCount() <= kFewTexels) {
-            const MadeBlocks again = makeBlocks(store, m_form, {&job, 1});
-            acceptBlock(job, again.bytes);
+        } else if (const auto again = makeAgain(store, job)) {
+            acceptBlock(job, again->bytes);
         } else {
             m_again.push_back(job);
         }
     }
 }
 
-void DisplayTexels::acceptBlock(const BlockJob& job, std::span<const std::byte> bytes)
+void DisplayBlocks::acceptBlock(const BlockJob& job, std::span<const std::byte> bytes)
 {
     if (bytes.empty() || (job.level > 0 && !placeBlock(job))) {
         return;
@@ -176,7 +197,7 @@ void DisplayTexels::acceptBlock(const BlockJob& job, std::span<const std::byte> 
 }
 
 /// \return  false when the block is not wanted any more, or has no room
-bool DisplayTexels::placeBlock(const BlockJob& job)
+bool DisplayBlocks::placeBlock(const BlockJob& job)
 {
     FaceOnCard& face = m_faces[indexOf(job.face)];
     const int wanted = std::min<int>(m_plan.wanted[indexOf(job.face)], face.own);
@@ -192,21 +213,20 @@ bool DisplayTexels::placeBlock(const BlockJob& job)
         return true;
     }
     if (isWrong) {
-        m_blocks.release(job.face);
-        face.shown = 0;
+        release(job.face, false);
     }
     return false;
 }
 
 /// A block that found no room is not looked for again before something may have changed: each time
 /// all that there is would be searched.
-bool DisplayTexels::resize(FaceId face, int level)
+bool DisplayBlocks::resize(FaceId face, int level, bool keeps)
 {
     const std::uint32_t bit = 1U << static_cast<unsigned>(level);
     if ((m_noRoom & bit) != 0) {
         return false;
     }
-    const bool hasRoom = m_blocks.resize(face, Level(level));
+    const bool hasRoom = m_blocks.resize(face, Level(level), keeps);
     m_noRoom |= hasRoom ? 0 : bit;
     return hasRoom;
 }

@@ -3,63 +3,18 @@
 // Which texels lie where on the graphics card and which have to be sent. Plain data, no OpenGL.
 #pragma once
 
-#include "core/texture/texel_store.h"
-#include "render/block_making.h"
-#include "render/card_blocks.h"
-#include "render/display_conversion.h"
-#include "render/residency.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <deque>
-#include <span>
-#include <unordered_map>
-#include <vector>
+#include "render/display_blocks.h"
 
 namespace trixel::render {
 
-/// What to send to the card, in this order: room, moves, texels, records.
-struct DisplayUpdate
-{
-    /// Consecutive elements.
-    struct Range
-    {
-        std::uint32_t first = 0;
-        std::uint32_t count = 0;
-        bool operator==(const Range&) const = default;
-    };
-
-    bool fresh = false;                  ///< nothing that was on the card is needed any more
-    std::uint32_t capacity = 0;          ///< texels the buffer must have room for
-    std::vector<CardBlocks::Move> moves; ///< on the card
-    std::vector<Range> texels; ///< where texels go; their bytes follow each other in `bytes`
-    std::vector<std::byte> bytes;
-    std::vector<Range> records; ///< faces whose records changed: read them from `records()`
-};
-
-/// Jobs to be made into blocks, on any thread.
-struct JobBatch
-{
-    std::vector<BlockJob> jobs;
-    std::int64_t elements = 0; ///< that they will take from or give back to the room
-    std::uint32_t generation = 0;
-};
-
-/// The texels of a store on the graphics card, within a bound.
-///
-/// Every face has a base of one texel, its mean, which is sent first; finer blocks come and go as
-/// plans want them (`residency.h`): one that wants everything, or one of a view (`follow`). What is
-/// shown stays until better has come. Work is done either here and now (`take`), or elsewhere:
-/// `openCard` while `needsOpening`, then `nextJobs` → `makeBlocks` on a snapshot of the store →
-/// `accept`, and `takeReady` for what came of it.
-class DisplayTexels
+/// The texels of a store on the graphics card, within a bound. The base of a face is one texel, its
+/// mean.
+class DisplayTexels : public DisplayBlocks
 {
 public:
-    DisplayTexels() = default;
-    /// \param generation  jobs of another display that this one takes the place of must have a
-    ///                    number at least 2^16 away
-    explicit DisplayTexels(std::uint32_t generation)
-        : m_generation(generation)
+    /// \param generation  see `DisplayBlocks`
+    explicit DisplayTexels(std::uint32_t generation = 0)
+        : DisplayBlocks(BlockKind::Texels, generation)
     {
     }
 
@@ -67,145 +22,27 @@ public:
     /// replaced where there are as many faces of the same type.
     /// \param mipDrop    show every face this many levels coarser (>= 0)
     /// \param maxTexels  most texels the buffer can have; less is shown to fit, but for the bases
-    void reset(const TexelStore& store, int mipDrop, std::uint32_t maxTexels);
-
-    /// Another bound. Where the buffer is larger, all is opened anew.
-    void setMost(std::uint32_t maxTexels);
-
-    /// Notes that texels changed. The store must be the one of `reset`, as it is now.
-    void touch(const TexelStore& store, std::span<const TouchedRect> rects);
-
-    /// Notes that every texel may have changed. What is on the card stays until it is replaced.
-    void touchAll() { opensAnew(); }
-
-    /// Sends other channels from now on, and all texels anew where they are others.
-    void showChannels(const CardChannels& channels);
-    const CardChannels& channels() const { return m_form.channels; }
-
-    /// Does and converts what is to be sent next: all that was touched, then jobs until
-    /// `byteBudget` is reached.
-    DisplayUpdate take(const TexelStore& store, std::size_t byteBudget);
-    /// Whether `take` has something to give.
-    bool hasWork() const;
-
-    // Work done elsewhere.
-
-    /// Whether everything is to be opened anew (`openCard` with `form`), which comes before all.
-    bool needsOpening() const { return m_opens; }
-    const CardForm& form() const { return m_form; }
-    /// Which need of an opening it is: what was read before the latest is not what there is now.
-    std::uint32_t openingNumber() const { return m_openingNumber; }
-    void open(const CardOpening& opening);
-    /// Whether a plan is needed: not all is as the last one took it to be.
-    bool needsPlan() const { return m_plans; }
-    /// For `planResidency`.
-    std::vector<FaceOnCard> facesOnCard() const { return m_faces; }
-    CardRoom mostRoom() const;
-    /// Goes by a view's plan from now on.
-    void follow(ResidencyPlan plan);
-    /// What to make next, up to so many bytes but at least one; none when there is nothing or no
-    /// room.
-    /// \param means  whether means may be among it that nothing waits for
-    JobBatch nextJobs(std::size_t bytes, bool means = true);
-    /// Takes blocks over, made from a snapshot taken after the jobs were given out.
-    /// \param store  as it is now
-    void accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store);
-    /// What is ready to be sent: blocks accepted, and touched texels.
-    /// \param mostRead  texels of the store to be read for that, but at least one face
-    DisplayUpdate takeReady(const TexelStore& store, std::size_t mostRead);
-    bool hasReady() const;
-    /// Whether jobs could be given out now.
-    bool hasJobs(bool means = true) const;
-
-    DisplayFormat format() const { return displayFormat(m_form.format.type); }
-    std::span<const FaceRecord> records() const { return m_blocks.records(); }
-    const CardBlocks& blocks() const { return m_blocks; }
-    const ResidencyPlan& plan() const { return m_plan; }
-    /// Levels dropped: the drop asked for, and those that the room costs.
-    int levelsDropped() const { return m_form.mipDrop + (m_plan.bias + 7) / 8; }
-    /// Whether texels are shown coarser than asked for because they do not fit.
-    bool isReduced() const { return m_plan.bias > 0; }
-    std::uint32_t texelsUsed() const { return m_blocks.used(); }
-    /// Of the buffer and the records, on the card.
-    std::uint64_t cardBytes() const
+    void reset(const TexelStore& store, int mipDrop, std::uint32_t maxTexels)
     {
-        return m_blocks.capacity() * m_form.elementBytes() + m_faces.size() * sizeof(FaceRecord);
+        begin(store, mipDrop, maxTexels);
     }
 
+    Opener opener() const override;
+    Maker maker() const override;
+    std::uint32_t texelsUsed() const { return elementsUsed(); }
+
 private:
-    /// A rectangle of the packed square.
-    struct Rect
-    {
-        std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0; ///< end exclusive
-        bool whole = false;                           ///< every texel of the face instead
-    };
-    /// Elements on their way; they go where the face's block is when they are sent.
-    struct Write
-    {
-        FaceId face{};
-        std::uint8_t level = 0; ///< of the block they are for; 0 for the base
-        std::uint32_t first = 0;
-        std::uint32_t count = 0;
-    };
-    static constexpr std::uint8_t kTouchedInFlight = 0x80;
+    CardOpening openNow(const TexelStore& store) const override;
+    std::optional<MadeBlocks> makeAgain(const TexelStore& store,
+                                        const BlockJob& job) const override;
+    void touched(FaceId face) override { touchInFlight(face); }
+    void sendTouched(const TexelStore& store, std::size_t mostRead) override;
 
-    // display_texels.cpp
-    void opensAnew();
-    void openFresh(const CardOpening& opening);
-    void openAgain(const CardOpening& opening);
-    void planEverything();
-    DisplayUpdate gathered();
-    void makeRoomFor(std::uint64_t blockElements);
-
-    // display_jobs.cpp
-    bool isUseful(const BlockJob& job) const;
-    bool makeSpare(JobBatch& batch);
-    bool addJob(const BlockJob& job, JobBatch& batch);
-    void addMeans(std::size_t bytes, JobBatch& batch);
-    bool resize(FaceId face, int level);
-    bool placeBlock(const BlockJob& job);
-    void acceptBlock(const BlockJob& job, std::span<const std::byte> bytes);
-
-    // display_touch.cpp
     std::size_t sendTouched(const TexelStore& store, FaceId face, const Rect& rect);
-    void sendTouched(const TexelStore& store, std::size_t mostRead);
     std::size_t sendWhole(const FaceTexels& texels, FaceId face);
     std::size_t sendRect(const FaceTexels& texels, FaceId face, const Rect& rect);
     std::size_t sendReduced(const FaceTexels& texels, FaceId face, const Rect& rect);
     std::size_t sendMean(const FaceTexels& texels, FaceId face);
-    void meanLater(FaceId face);
-
-    void write(FaceId face, std::uint8_t level, std::uint32_t first, std::size_t bytesBefore);
-    void show(FaceId face, int own, bool isConstant);
-
-    CardForm m_form;
-    std::uint32_t m_maxTexels = 0;
-    bool m_opens = false;
-    std::uint32_t m_openingNumber = 0;
-    bool m_isOpen = false;
-    bool m_fresh = false;
-    CardBlocks m_blocks;
-    CardRoom m_room; ///< in the buffer as it is
-    std::vector<FaceOnCard> m_faces;
-
-    bool m_plans = false;
-    bool m_followsView = false;
-    ResidencyPlan m_plan;
-    std::size_t m_nextMake = 0;
-    std::size_t m_nextSpare = 0;
-    std::deque<BlockJob> m_again;         ///< what was touched on its way, or took too long
-    std::vector<std::uint8_t> m_inFlight; ///< jobs given out of each face, and a flag
-    std::int64_t m_elementsInFlight = 0;
-    std::uint32_t m_generation = 0; ///< of buffers; jobs for one before are forgotten
-    std::vector<bool> m_noMean;     ///< faces whose base is not their mean
-    std::vector<FaceId> m_means;    ///< the same, from m_nextMean on
-    std::size_t m_nextMean = 0;
-    std::uint32_t m_noRoom = 0; ///< a bit a level that found none; until the next update
-
-    std::unordered_map<std::uint32_t, Rect> m_touched;
-    bool m_sendBases = false;
-    std::vector<Write> m_writes;
-    std::vector<std::byte> m_bytes;
 };
 
 } // namespace trixel::render

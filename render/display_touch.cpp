@@ -13,39 +13,39 @@ namespace {
 
 /// Rows of a rectangle closer than this are sent in one go: a call costs more than some texels.
 constexpr std::uint32_t kMergeGap = 32;
-/// Rectangles beyond which all texels are taken to be touched.
-constexpr std::size_t kManyRects = 1U << 16U;
+/// Texels of a face that are read here and now rather than by another job.
+constexpr std::uint32_t kFewTexels = 1U << 14U;
 /// Texels of a face that are read at once for its mean or few others; more is a job.
 constexpr std::size_t kMostRead = 1U << 18U;
 
 } // namespace
 
-void DisplayTexels::touch(const TexelStore& /*store*/, std::span<const TouchedRect> rects)
+DisplayTexels::Opener DisplayTexels::opener() const
 {
-    if (rects.size() > kManyRects) {
-        touchAll();
-        return;
+    return [form = m_form](const TexelStore& store) {
+        return openCard(store, form, false, Threads::all());
+    };
+}
+
+DisplayTexels::Maker DisplayTexels::maker() const
+{
+    return [form = m_form](const TexelStore& store, std::span<const BlockJob> jobs) {
+        return makeBlocks(store, form, jobs);
+    };
+}
+
+CardOpening DisplayTexels::openNow(const TexelStore& store) const
+{
+    return openCard(store, m_form, true, Threads::all());
+}
+
+std::optional<MadeBlocks> DisplayTexels::makeAgain(const TexelStore& store,
+                                                   const BlockJob& job) const
+{
+    if (store.face(job.face).level().texelCount() > kFewTexels) {
+        return std::nullopt;
     }
-    for (const TouchedRect& touched : rects) {
-        const Rect rect{touched.x,
-                        touched.y,
-                        std::uint32_t{touched.x} + touched.width,
-                        std::uint32_t{touched.y} + touched.height,
-                        touched.wholeFace};
-        const auto [at, isNew] =
-            m_touched.try_emplace(static_cast<std::uint32_t>(touched.face), rect);
-        if (!isNew) {
-            Rect& known = at->second;
-            known = {std::min(known.x0, rect.x0),
-                     std::min(known.y0, rect.y0),
-                     std::max(known.x1, rect.x1),
-                     std::max(known.y1, rect.y1),
-                     known.whole || rect.whole};
-        }
-        if (m_isOpen && m_inFlight[indexOf(touched.face)] != 0) {
-            m_inFlight[indexOf(touched.face)] |= kTouchedInFlight;
-        }
-    }
+    return makeBlocks(store, m_form, {&job, 1});
 }
 
 /// Faces in the order of the buffer, where neighbouring ranges join, until so much has been read.
@@ -79,8 +79,7 @@ std::size_t DisplayTexels::sendTouched(const TexelStore& store, FaceId face, con
     const FaceRecord& record = m_blocks.record(face);
     const int own = m_form.shownLevel(texels).log2();
     if (texels.isConstant()) {
-        m_blocks.release(face);
-        m_faces[indexOf(face)].shown = 0;
+        release(face, false);
         show(face, own, true);
         return sendMean(texels, face);
     }
@@ -88,7 +87,7 @@ std::size_t DisplayTexels::sendTouched(const TexelStore& store, FaceId face, con
         show(face, own, false);
         return sendWhole(texels, face);
     }
-    const int shown = m_faces[indexOf(face)].level();
+    const int shown = onCard(face).level();
     if (shown == 0) {
         return sendMean(texels, face);
     }
@@ -99,37 +98,20 @@ std::size_t DisplayTexels::sendTouched(const TexelStore& store, FaceId face, con
 
 std::size_t DisplayTexels::sendWhole(const FaceTexels& texels, FaceId face)
 {
-    FaceOnCard& onCard = m_faces[indexOf(face)];
-    std::uint8_t& wanted = m_plan.wanted[indexOf(face)];
-    if (!m_followsView) { // as if it had been so when all was wanted
-        wanted = static_cast<std::uint8_t>(std::max<int>(wanted, onCard.own - m_plan.bias / 8));
-    }
-    const int level = std::min<int>(wanted, onCard.own);
+    const int level = wantedLevel(face);
     if (level == 0 || texels.level().texelCount() > 4 * kMostRead) {
-        m_blocks.release(face);
-        onCard.shown = 0;
+        release(face, false);
         if (level > 0) {
             m_again.push_back({face, static_cast<std::uint8_t>(level)});
         }
         return sendMean(texels, face);
     }
-    bool hasRoom = resize(face, level);
-    if (!hasRoom && m_blocks.capacity() < m_maxTexels) {
-        makeRoomFor(m_room.elements + m_room.perBlock[static_cast<std::size_t>(level)]);
-        m_noRoom = 0;
-        hasRoom = resize(face, level);
-    }
-    if (!hasRoom) {
-        m_blocks.release(face);
-        onCard.shown = 0;
-        m_again.push_back({face, static_cast<std::uint8_t>(level)});
-        m_plans = true;
+    if (!place(face, level)) {
         return sendMean(texels, face);
     }
-    onCard.shown = static_cast<std::uint8_t>(level);
     const std::size_t before = m_bytes.size();
     appendAtLevel(m_form, texels, Level(level), m_bytes);
-    write(face, onCard.shown, 0, before);
+    write(face, static_cast<std::uint8_t>(level), 0, before);
     meanLater(face);
     return texels.level().texelCount();
 }
@@ -166,21 +148,13 @@ std::size_t DisplayTexels::sendRect(const FaceTexels& texels, FaceId face, const
 /// The texels of a coarser level that the rectangle's texels are part of.
 std::size_t DisplayTexels::sendReduced(const FaceTexels& texels, FaceId face, const Rect& rect)
 {
-    const auto size = [](std::uint32_t from, std::uint32_t to) {
-        return static_cast<std::uint16_t>(to - from);
-    };
-    const TouchedRect touched{face,
-                              static_cast<std::uint16_t>(rect.x0),
-                              static_cast<std::uint16_t>(rect.y0),
-                              size(rect.x0, rect.x1),
-                              size(rect.y0, rect.y1),
-                              rect.whole};
-    const int level = m_faces[indexOf(face)].level();
+    const TouchedRect touched = rect.of(face);
+    const int level = onCard(face).level();
     const int steps = texels.level().log2() - level;
     const std::vector<std::uint32_t> changed = touchedAt(Level(level), texels.level(), touched);
     const std::size_t read = changed.size() << (2U * static_cast<unsigned>(steps));
     if (read > 4 * kMostRead) {
-        m_faces[indexOf(face)].shown |= FaceOnCard::kStale;
+        onCard(face).shown |= FaceOnCard::kStale;
         m_again.push_back({face, static_cast<std::uint8_t>(level)});
         return 0;
     }
@@ -205,14 +179,6 @@ std::size_t DisplayTexels::sendMean(const FaceTexels& texels, FaceId face)
     appendAtLevel(m_form, texels, Level(), m_bytes);
     write(face, 0, 0, before);
     return texels.isConstant() ? 1 : texels.level().texelCount();
-}
-
-void DisplayTexels::meanLater(FaceId face)
-{
-    if (!m_noMean[indexOf(face)]) {
-        m_noMean[indexOf(face)] = true;
-        m_means.push_back(face);
-    }
 }
 
 } // namespace trixel::render

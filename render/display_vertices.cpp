@@ -2,10 +2,9 @@
 #include "render/display_vertices.h"
 
 #include "core/base/check.h"
-#include "core/base/parallel.h"
+#include "core/texture/touched_vertices.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace trixel::render {
@@ -14,290 +13,207 @@ namespace {
 
 /// Runs closer than this are sent in one go: a call costs more than some vertices.
 constexpr std::uint32_t kMergeGap = 16;
-/// Of mips of faces, kept for strokes that come back and for neighbours of faces to come.
+/// Of mips of faces, kept for strokes that come back.
 constexpr std::size_t kChainBytes = 64U << 20U;
-/// Room to spare, so that painting unpainted faces seldom needs a larger buffer.
-constexpr std::uint64_t kLeastSpare = 1U << 18U;
-constexpr std::size_t kGrain = 256; // faces that a thread takes at a time
-
-std::uint64_t roomFor(std::uint64_t vertices, std::uint64_t most)
-{
-    return std::min(vertices + std::max(vertices / 8, kLeastSpare), most);
-}
-
-std::uint32_t blockSize(const FaceRecord& record)
-{
-    return vertexBlockSize(Level(record.level()));
-}
-
-void addRange(std::vector<DisplayUpdate::Range>& ranges, std::uint32_t first, std::uint32_t count)
-{
-    if (!ranges.empty() && ranges.back().first + ranges.back().count == first) {
-        ranges.back().count += count;
-    } else {
-        ranges.push_back({first, count});
-    }
-}
+/// Texels read at once for what one face changes; more is a job.
+constexpr std::size_t kMostRead = 1U << 22U;
+/// Blocks up to here are made at once.
+constexpr int kFewLevels = 6;
 
 } // namespace
 
 void DisplayVertices::reset(std::shared_ptr<const FilterMesh> mesh,
                             const TexelStore& store,
                             int mipDrop,
-                            std::uint64_t maxVertices)
+                            std::uint32_t maxVertices)
 {
     check(mesh->faceCount() == store.faceCount(), "texels of this mesh");
     m_mesh = std::move(mesh);
-    m_format = displayFormat(store.format().type);
-    m_dropAsked = mipDrop;
-    m_maxVertices = maxVertices;
-    layOut(store);
+    begin(store, mipDrop, maxVertices);
 }
 
-std::uint32_t DisplayVertices::sizeOf(const TexelStore& store, FaceId face, bool isConstant) const
+DisplayVertices::Opener DisplayVertices::opener() const
 {
-    return vertexBlockSize(isConstant ? Level(0) : store.face(face).level().coarser(m_drop));
-}
-
-void DisplayVertices::layOut(const TexelStore& store)
-{
-    m_chains.emplace(m_channels, kChainBytes);
-    const FaceMips mips(store, *m_chains);
-    const FaceVertices vertices(mips, m_mesh->adjacency(), m_mesh->rings());
-    std::vector<bool> constant(store.faceCount());
-    m_levels.resize(store.faceCount());
-    for (std::size_t f = 0; f < store.faceCount(); ++f) {
-        constant[f] = vertices.isConstant(faceId(f));
-        m_levels[f] = store.face(faceId(f)).level();
-    }
-    const auto needed = [&] {
-        std::uint64_t count = 0;
-        for (std::size_t f = 0; f < store.faceCount(); ++f) {
-            count += sizeOf(store, faceId(f), constant[f]);
-        }
-        return count;
+    return [form = m_form, mesh = m_mesh](const TexelStore& store) {
+        return openVertices(store, form, *mesh, Threads::all());
     };
-    m_drop = m_dropAsked;
-    std::uint64_t count = needed();
-    while (count > m_maxVertices && m_drop < Level::kMax) {
-        ++m_drop;
-        count = needed();
-    }
-    m_capacity = static_cast<std::uint32_t>(roomFor(count, m_maxVertices));
-    m_used = 0;
-    m_nextFace = 0;
-    m_fresh = true;
-    m_touched.clear();
-    m_whole.clear();
-    m_records.assign(store.faceCount(), FaceRecord{});
 }
 
-/// Gives the face a range that fits its vertices, a new one if its present one does not.
-/// \return  false when there is no room for it in the largest buffer
-bool DisplayVertices::place(const TexelStore& store, FaceId face, bool isConstant)
+DisplayVertices::Maker DisplayVertices::maker() const
 {
-    const int level = store.face(face).level().coarser(m_drop).log2();
-    FaceRecord& record = m_records[indexOf(face)];
-    m_levels[indexOf(face)] = store.face(face).level();
-    const int kept = isConstant && record.isConstant() ? 0 : level;
-    if (!record.isPending() && record.level() == kept && (!record.isConstant() || isConstant)) {
-        return true;
-    }
-    const std::uint64_t end = std::uint64_t{m_used} + sizeOf(store, face, isConstant);
-    if (end > m_maxVertices) {
-        return false;
-    }
-    if (end > m_capacity) {
-        m_capacity = static_cast<std::uint32_t>(roomFor(end, m_maxVertices));
-    }
-    record.offset = m_used;
-    const auto number = static_cast<std::uint32_t>(level);
-    // A constant face has level 0 alone.
-    record.bits = (isConstant ? FaceRecord::kConstant : number) | (number << FaceRecord::kOwnShift);
-    m_used = static_cast<std::uint32_t>(end);
-    return true;
+    return [form = m_form, mesh = m_mesh, chains = std::make_shared<SharedChains>(m_form.channels)](
+               const TexelStore& store, std::span<const BlockJob> jobs) {
+        return makeVertexBlocks(store, form, *mesh, jobs, *chains);
+    };
 }
 
-void DisplayVertices::addAbout(FaceId face)
+CardOpening DisplayVertices::openNow(const TexelStore& store) const
 {
+    return openVertices(store, m_form, *m_mesh, Threads::all());
+}
+
+/// With a face whose vertices depend on a face's texels, itself among them; some come repeatedly.
+template <class Visit>
+void DisplayVertices::forFacesAbout(FaceId face, Visit visit) const
+{
+    const VertexRings& rings = m_mesh->rings();
     for (std::uint8_t corner = 0; corner < 3; ++corner) {
-        const VertexRings& rings = m_mesh->rings();
         for (const Corner& other : rings.corners(rings.ring({face, corner}))) {
-            if (indexOf(other.face) < m_nextFace) {
-                m_whole.insert(static_cast<std::uint32_t>(other.face));
-            }
+            visit(other.face);
         }
     }
 }
 
-bool DisplayVertices::touch(const TexelStore& store, std::span<const TouchedRect> rects)
+/// Of texels as they are shown, none of them from before the latest opening.
+ChainCache& DisplayVertices::chains()
 {
-    m_chains->update(store, rects);
-    m_spareChains.clear();
-    for (const TouchedRect& rect : rects) {
-        const bool sameLevel = store.face(rect.face).level() == m_levels[indexOf(rect.face)];
-        if (rect.wholeFace || !sameLevel) {
-            addAbout(rect.face); // of one constant, or of one level, no more
-        } else {
-            m_touched.push_back(rect);
-        }
+    if (!m_chains || m_chainsOpening != openingNumber()) {
+        m_chains.emplace(m_form.channels, kChainBytes);
+        m_chainsOpening = openingNumber();
     }
-    return true;
+    return *m_chains;
 }
 
-bool DisplayVertices::touchAll()
+void DisplayVertices::touch(const TexelStore& store, std::span<const TouchedRect> rects)
 {
-    m_nextFace = 0;
-    m_touched.clear();
-    m_whole.clear();
-    m_spareChains.clear();
-    if (m_chains) {
-        m_chains->forget();
-    }
-    return true;
+    DisplayBlocks::touch(store, rects);
+    chains().update(store, rects);
 }
 
-void DisplayVertices::showChannels(const CardChannels& channels)
+void DisplayVertices::touched(FaceId face)
 {
-    if (channels != m_channels) {
-        m_channels = channels;
-        touchAll();
-        m_chains.emplace(channels, kChainBytes);
-    }
+    forFacesAbout(face, [&](FaceId about) { touchInFlight(about); });
 }
 
-bool DisplayVertices::hasWork() const
+/// Texels that are read for what a face changes, but for those that are kept.
+std::size_t DisplayVertices::costOf(const TexelStore& store, FaceId face) const
 {
-    return m_fresh || !m_touched.empty() || !m_whole.empty() || m_nextFace < m_records.size();
-}
-
-DisplayUpdate DisplayVertices::take(const TexelStore& store, std::size_t byteBudget)
-{
-    DisplayUpdate update;
-    update.fresh = std::exchange(m_fresh, false);
-    emitTouched(store, update);
-    emitPending(store, byteBudget, update);
-    update.fresh = update.fresh || std::exchange(m_fresh, false);
-    update.capacity = m_capacity;
-    m_chains->trim();
-    return update;
-}
-
-void DisplayVertices::emitTouched(const TexelStore& store, DisplayUpdate& update)
-{
-    for (const std::uint32_t face : m_whole) {
-        if (!emitFace(store, faceId(face), update)) {
-            update = {};
-            layOut(store);
-            return;
-        }
-        addRange(update.records, face, 1);
-    }
-    TouchedVertices touched(m_mesh->adjacency(), m_mesh->rings(), [&](FaceId face) {
-        return store.face(face).level().coarser(m_drop);
+    std::size_t texels = 0;
+    forFacesAbout(face, [&](FaceId about) {
+        const FaceTexels& read = store.face(about);
+        texels += read.isConstant() || m_chains->holds(about) ? 1 : read.level().texelCount();
     });
-    for (const TouchedRect& rect : m_touched) {
-        touched.touch(store.face(rect.face).level(), rect);
-    }
-    m_touched.clear();
-    const FaceMips mips(store, *m_chains, m_drop);
-    const FaceVertices vertices(mips, m_mesh->adjacency(), m_mesh->rings());
-    for (const VertexRun& run : touched.take(kMergeGap)) {
-        const FaceRecord& record = m_records[indexOf(run.face)];
-        const bool comes = m_whole.contains(static_cast<std::uint32_t>(run.face)) ||
-                           indexOf(run.face) >= m_nextFace;
-        if (!comes && !record.isConstant()) { // what is one constant is not touched
-            addRange(update.texels, record.offset + run.first, run.count);
-            vertices.appendRun(run, update.bytes);
-        }
-    }
-    m_whole.clear();
+    return texels;
 }
 
-void DisplayVertices::emitPending(const TexelStore& store,
-                                  std::size_t byteBudget,
-                                  DisplayUpdate& update)
+DisplayVertices::Work DisplayVertices::takeTouched(const TexelStore& store, std::size_t mostRead)
 {
-    const std::size_t first = m_nextFace;
-    const std::size_t begin = update.bytes.size();
-    const std::size_t vertexBytes = texelBytes(m_format);
-    std::vector<std::size_t> places; // in the bytes, of each face
-    std::size_t end = begin;
-    {
-        const FaceMips mips(store, *m_chains, m_drop);
-        const FaceVertices vertices(mips, m_mesh->adjacency(), m_mesh->rings());
-        while (m_nextFace < m_records.size() && (m_nextFace == first || end < byteBudget)) {
-            const FaceId face = faceId(m_nextFace);
-            if (!place(store, face, vertices.isConstant(face))) {
-                update = {};
-                layOut(store);
-                return;
-            }
-            const FaceRecord& record = m_records[m_nextFace];
-            const std::uint32_t count = blockSize(record);
-            addRange(update.texels, record.offset, count);
-            places.push_back(end);
-            end += count * vertexBytes;
-            ++m_nextFace;
-        }
+    Work work;
+    std::vector<std::uint32_t> faces;
+    faces.reserve(m_touched.size());
+    for (const auto& [face, rect] : m_touched) {
+        faces.push_back(face);
     }
-    if (places.empty()) {
+    std::ranges::sort(faces);
+    std::size_t read = 0;
+    for (const std::uint32_t number : faces) {
+        if (read > mostRead) {
+            break;
+        }
+        const FaceId face = faceId(number);
+        const auto at = m_touched.find(number);
+        const Rect rect = at->second;
+        m_touched.erase(at);
+        const FaceRecord& record = m_blocks.record(face);
+        const bool isOther = rect.whole || record.isConstant() ||
+                             record.ownLevel() != m_form.shownLevel(store.face(face)).log2();
+        const std::size_t cost = costOf(store, face);
+        if (isOther || cost > kMostRead) {
+            std::unordered_set<std::uint32_t>& to = isOther ? work.whole : work.later;
+            forFacesAbout(face,
+                          [&](FaceId about) { to.insert(static_cast<std::uint32_t>(about)); });
+        } else {
+            work.parts.push_back(rect.of(face));
+        }
+        read += std::min(cost, kMostRead);
+    }
+    return work;
+}
+
+void DisplayVertices::sendTouched(const TexelStore& store, std::size_t mostRead)
+{
+    if (m_touched.empty()) {
         return;
     }
-    update.bytes.resize(end);
-    std::mutex mutex;
-    parallelFor(places.size(), kGrain, Threads::all(), [&](std::size_t from, std::size_t to) {
-        std::unique_ptr<ChainCache> chains;
-        {
-            const std::lock_guard lock(mutex);
-            if (!m_spareChains.empty()) {
-                chains = std::move(m_spareChains.back());
-                m_spareChains.pop_back();
-            }
-        }
-        if (!chains) {
-            chains = std::make_unique<ChainCache>(m_channels, kChainBytes / 2);
-        }
-        const FaceMips mips(store, *chains, m_drop);
+    (void)chains();
+    const Work work = takeTouched(store, mostRead);
+    {
+        const FaceMips mips(store, *m_chains, m_form.mipDrop);
         const FaceVertices vertices(mips, m_mesh->adjacency(), m_mesh->rings());
-        std::vector<std::byte> bytes;
-        for (std::size_t k = from; k < to; ++k) {
-            bytes.clear();
-            append(vertices, faceId(first + k), bytes);
-            std::ranges::copy(bytes, update.bytes.begin() + static_cast<std::ptrdiff_t>(places[k]));
-            chains->trim();
+        for (const std::uint32_t face : work.whole) {
+            sendWhole(vertices, faceId(face));
         }
-        const std::lock_guard lock(mutex);
-        m_spareChains.push_back(std::move(chains));
+        sendParts(store, vertices, work);
+    }
+    for (const std::uint32_t face : work.later) {
+        sendLater(faceId(face));
+    }
+    m_chains->trim();
+}
+
+void DisplayVertices::sendWhole(const FaceVertices& vertices, FaceId face)
+{
+    const bool isConstant = vertices.isConstant(face);
+    show(face, vertices.level(face).log2(), isConstant);
+    const int level = isConstant ? 0 : wantedLevel(face);
+    if (level == 0) {
+        release(face, false);
+    } else if (level > kFewLevels) {
+        sendLater(face);
+        m_again.push_back({face, static_cast<std::uint8_t>(level)});
+        return;
+    } else {
+        (void)place(face, level); // or its base
+    }
+    append(vertices, face, Level(onCard(face).level()));
+}
+
+/// The whole of a face's block.
+void DisplayVertices::append(const FaceVertices& vertices, FaceId face, Level level)
+{
+    const std::size_t before = m_bytes.size();
+    m_chains->readAt(level);
+    vertices.appendBlock(face, level, m_bytes);
+    write(face, static_cast<std::uint8_t>(level.log2()), 0, before);
+}
+
+/// The vertices that depend on touched texels, as far as they are on the card.
+void DisplayVertices::sendParts(const TexelStore& store,
+                                const FaceVertices& vertices,
+                                const Work& work)
+{
+    TouchedVertices touched(m_mesh->adjacency(), m_mesh->rings(), [&](FaceId face) {
+        return m_form.shownLevel(store.face(face));
     });
-    if (m_nextFace == m_records.size()) {
-        m_spareChains.clear(); // the texels they know may change from now on
+    for (const TouchedRect& rect : work.parts) {
+        touched.touch(store.face(rect.face).level(), rect);
     }
-    addRange(update.records,
-             static_cast<std::uint32_t>(first),
-             static_cast<std::uint32_t>(m_nextFace - first));
+    for (const VertexRun& run : touched.take(kMergeGap)) {
+        const FaceRecord& record = m_blocks.record(run.face);
+        const Level level(record.level());
+        const std::uint32_t end =
+            std::min(run.first + run.count, elementsOf(BlockKind::Vertices, level));
+        const bool isSent = record.isConstant() || // and so has nothing that was touched
+                            work.whole.contains(static_cast<std::uint32_t>(run.face));
+        if (run.first < end && !isSent) {
+            const std::size_t before = m_bytes.size();
+            m_chains->readAt(level);
+            vertices.appendRun({run.face, run.first, end - run.first}, m_bytes);
+            write(run.face, static_cast<std::uint8_t>(record.level()), run.first, before);
+        }
+    }
 }
 
-void DisplayVertices::append(const FaceVertices& vertices,
-                             FaceId face,
-                             std::vector<std::byte>& bytes) const
+/// What is there stays until a job has made it anew.
+void DisplayVertices::sendLater(FaceId face)
 {
-    const FaceRecord& record = m_records[indexOf(face)];
-    vertices.appendBlock(face, Level(record.level()), bytes);
-}
-
-/// Places a face and adds its vertices. \return  false when there is no room for it
-bool DisplayVertices::emitFace(const TexelStore& store, FaceId face, DisplayUpdate& update)
-{
-    const FaceMips mips(store, *m_chains, m_drop);
-    const FaceVertices vertices(mips, m_mesh->adjacency(), m_mesh->rings());
-    if (!place(store, face, vertices.isConstant(face))) {
-        return false;
+    FaceOnCard& shown = onCard(face);
+    if (shown.level() == 0) {
+        meanLater(face);
+    } else if (!shown.isStale()) { // else a job comes already
+        shown.shown |= FaceOnCard::kStale;
+        m_again.push_back({face, static_cast<std::uint8_t>(shown.level())});
     }
-    const FaceRecord& record = m_records[indexOf(face)];
-    addRange(update.texels, record.offset, blockSize(record));
-    append(vertices, face, update.bytes);
-    return true;
 }
 
 } // namespace trixel::render

@@ -4,14 +4,10 @@
 // OpenGL.
 #pragma once
 
-#include "core/texture/chain_cache.h"
 #include "core/texture/face_vertices.h"
-#include "core/texture/touched_vertices.h"
-#include "render/display_texels.h"
-#include "render/filter_mesh.h"
+#include "render/display_blocks.h"
+#include "render/vertex_making.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,67 +16,59 @@
 
 namespace trixel::render {
 
-/// Layout of the conforming pyramid of a store on the graphics card: for every face the vertices of
-/// all its levels (`core/texture/vertex_block.h`), those of level 0 where the face and all about it
-/// are one constant. What is sent is made when it is sent, from the store. Works as `DisplayTexels`.
-class DisplayVertices
+/// The conforming pyramid of a store on the graphics card, within a bound: for a face the vertices
+/// of levels 0 to that of its block (`core/texture/vertex_block.h`), those of level 0 where the
+/// face and all about it are one constant. The base of a face is its three vertices of level 0.
+class DisplayVertices : public DisplayBlocks
 {
 public:
-    /// Starts over with a store.
+    /// \param generation  see `DisplayBlocks`
+    explicit DisplayVertices(std::uint32_t generation = 0)
+        : DisplayBlocks(BlockKind::Vertices, generation)
+    {
+    }
+
+    /// Shows a store from now on, with its usual channels.
     /// \param mesh         of the store's faces (checked)
     /// \param mipDrop      show every face this many levels coarser (>= 0)
-    /// \param maxVertices  most vertices the buffer can have; levels are dropped further to fit
+    /// \param maxVertices  most vertices the buffer can have; less is shown to fit, but for the
+    /// bases
     void reset(std::shared_ptr<const FilterMesh> mesh,
                const TexelStore& store,
                int mipDrop,
-               std::uint64_t maxVertices);
-    /// Notes that texels changed. The store must be the one of `reset`, as it is now.
-    /// \return  false where the layout does not fit them any more
-    bool touch(const TexelStore& store, std::span<const TouchedRect> rects);
-    /// The same where every texel may have changed. What is on the card stays until it is replaced.
-    bool touchAll();
-    /// Sends other channels from now on, and all vertices anew where they are others.
-    void showChannels(const CardChannels& channels);
+               std::uint32_t maxVertices);
 
-    /// Makes what is to be sent next: all that was touched, then faces not sent yet until
-    /// `byteBudget` is reached (at least one face).
-    DisplayUpdate take(const TexelStore& store, std::size_t byteBudget);
-    /// Whether `take` has something to give.
-    bool hasWork() const;
+    void touch(const TexelStore& store, std::span<const TouchedRect> rects) override;
 
-    DisplayFormat format() const { return m_format; }
-    std::span<const FaceRecord> records() const { return m_records; }
-    /// Levels dropped in fact: the drop asked for, more if the vertices would not fit.
-    int levelsDropped() const { return m_drop; }
-    std::uint32_t verticesUsed() const { return m_used; }
+    Opener opener() const override;
+    Maker maker() const override;
+    std::uint32_t verticesUsed() const { return elementsUsed(); }
 
 private:
-    void layOut(const TexelStore& store);
-    std::uint32_t sizeOf(const TexelStore& store, FaceId face, bool isConstant) const;
-    bool place(const TexelStore& store, FaceId face, bool isConstant);
-    /// Faces whose vertices depend on a face.
-    void addAbout(FaceId face);
-    void emitTouched(const TexelStore& store, DisplayUpdate& update);
-    void emitPending(const TexelStore& store, std::size_t byteBudget, DisplayUpdate& update);
-    void append(const FaceVertices& vertices, FaceId face, std::vector<std::byte>& bytes) const;
-    bool emitFace(const TexelStore& store, FaceId face, DisplayUpdate& update);
+    CardOpening openNow(const TexelStore& store) const override;
+    void touched(FaceId face) override;
+    void sendTouched(const TexelStore& store, std::size_t mostRead) override;
+
+    /// What is to be done for touched faces.
+    struct Work
+    {
+        std::vector<TouchedRect> parts;          ///< of faces that stay what they are
+        std::unordered_set<std::uint32_t> whole; ///< faces that may be something else now
+        std::unordered_set<std::uint32_t> later; ///< faces that take too long for a frame
+    };
+    Work takeTouched(const TexelStore& store, std::size_t mostRead);
+    std::size_t costOf(const TexelStore& store, FaceId face) const;
+    void sendWhole(const FaceVertices& vertices, FaceId face);
+    void sendParts(const TexelStore& store, const FaceVertices& vertices, const Work& work);
+    void sendLater(FaceId face);
+    void append(const FaceVertices& vertices, FaceId face, Level level);
+    ChainCache& chains();
+    template <class Visit>
+    void forFacesAbout(FaceId face, Visit visit) const;
 
     std::shared_ptr<const FilterMesh> m_mesh;
-    DisplayFormat m_format = DisplayFormat::Rgba8;
-    CardChannels m_channels{0, 1, 2, -1};
-    int m_dropAsked = 0;
-    int m_drop = 0;
-    std::uint64_t m_maxVertices = 0;
-    std::uint32_t m_capacity = 0;
-    std::uint32_t m_used = 0;
-    bool m_fresh = false;
-    std::vector<FaceRecord> m_records;
-    std::vector<Level> m_levels; ///< of the store's faces when they were placed
-    std::size_t m_nextFace = 0;  ///< faces from here on have not been sent yet
-    std::optional<ChainCache> m_chains;
-    std::vector<std::unique_ptr<ChainCache>> m_spareChains; ///< of threads that fill pending faces
-    std::vector<TouchedRect> m_touched;                     ///< of faces that keep their places
-    std::unordered_set<std::uint32_t> m_whole;              ///< faces to be sent as a whole
+    std::optional<ChainCache> m_chains; ///< of faces that strokes touch
+    std::uint32_t m_chainsOpening = 0;  ///< the need of an opening when they were begun
 };
 
 } // namespace trixel::render

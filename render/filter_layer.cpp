@@ -96,7 +96,6 @@ void FilterForm<Layout, Update, Card>::showChannels(const CardChannels& channels
     }
 }
 
-template class FilterForm<DisplayVertices, DisplayUpdate, SurfaceTexels>;
 template class FilterForm<DisplayAtlas, AtlasUpdate, SurfaceAtlas>;
 
 } // namespace trixel::render

@@ -3,10 +3,8 @@
 
 #include "render/background_layout.h"
 #include "render/display_atlas.h"
-#include "render/display_vertices.h"
 #include "render/filtering.h"
 #include "render/surface_atlas.h"
-#include "render/surface_texels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +35,7 @@ constexpr FilterSource sourceOf(Filtering filtering)
 
 /// One derived form of a store's texels on the card: made in the background when it is first
 /// wanted, kept up to date after strokes while it is, given up when it is not.
-/// \tparam Layout  `DisplayVertices` or `DisplayAtlas`
+/// \tparam Layout  `DisplayAtlas`
 template <class Layout, class Update, class Card>
 class FilterForm
 {
@@ -67,6 +65,7 @@ public:
     bool hasWork() const { return !m_layout || m_layout->hasWork(); }
     bool isMaking() const { return m_making != nullptr; }
     Card& card() { return m_card; }
+    std::uint64_t bytes() const { return m_card.bytes(); } ///< on the card
     const Layout& layout() const { return *m_layout; }
 
 private:
@@ -77,7 +76,6 @@ private:
     std::optional<Layout> m_layout;
 };
 
-using VertexForm = FilterForm<DisplayVertices, DisplayUpdate, SurfaceTexels>;
 using AtlasForm = FilterForm<DisplayAtlas, AtlasUpdate, SurfaceAtlas>;
 
 } // namespace trixel::render

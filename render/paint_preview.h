@@ -68,6 +68,11 @@ public:
     /// What card and processor take for a texel; see there. Nothing may be shown (checked).
     PaintSpeed measureSpeed(const TexelFormat& format, Threads threads);
 
+    /// Bytes on the card.
+    std::uint64_t bytes() const
+    {
+        return m_sheet->bytes() + m_cardWords.size() * sizeof(std::uint32_t);
+    }
     PaintSheet& sheet() { return *m_sheet; }
     /// The word of a face's square; see `PaintSquare`.
     std::uint32_t word(FaceId face) const { return m_words[indexOf(face)]; }

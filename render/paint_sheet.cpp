@@ -14,7 +14,6 @@ namespace trixel::render {
 
 namespace {
 
-constexpr std::uint32_t kFewestRows = 512;
 /// 16.7 million texels; with what is drawn aside, 134 MB.
 constexpr std::uint32_t kMostRows = 4096;
 
@@ -128,7 +127,8 @@ PaintSheet::PaintSheet(Gl& gl, GLenum coverage, Program dabs, Program copy)
     GLint most = 0;
     m_gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     const bool isWide = most >= static_cast<GLint>(PaintSquares::kWidth);
-    m_mostRows = isWide ? std::min(static_cast<std::uint32_t>(most), kMostRows) : 0;
+    m_ableRows = isWide ? std::min(static_cast<std::uint32_t>(most), kMostRows) : 0;
+    m_mostRows = m_ableRows;
     for (QOpenGLShaderProgram* program : {m_dabsProgram.get(), m_copyProgram.get()}) {
         program->bind();
         program->setUniformValue("entries", 0);
@@ -144,6 +144,12 @@ PaintSheet::~PaintSheet()
     if (m_gl.isCurrent()) {
         m_gl.glDeleteVertexArrays(1, &m_vertexArray);
     }
+}
+
+void PaintSheet::setMost(std::uint64_t bytes)
+{
+    const std::uint64_t rows = std::max<std::uint64_t>(bytes / kRowBytes, kFewestRows);
+    m_mostRows = static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, m_ableRows));
 }
 
 bool PaintSheet::reserve(std::uint32_t rows)
@@ -187,7 +193,9 @@ void PaintSheet::shrink()
 
 std::uint64_t PaintSheet::bytes() const
 {
-    return std::uint64_t{m_rows} * PaintSquares::kWidth * sizeof(float) * 2;
+    const std::uint64_t coverage = std::uint64_t{m_rows} * PaintSquares::kWidth * sizeof(float) * 2;
+    const std::uint64_t pictures = std::uint64_t{m_pictureRows} * PaintSquares::kWidth * 8;
+    return coverage + (m_pictures ? pictures : 0);
 }
 
 void PaintSheet::drawInto(const PaintTarget& target,

@@ -65,6 +65,12 @@ public:
 
     /// Most rows that `reserve` can be asked for.
     std::uint32_t mostRows() const { return m_mostRows; }
+    /// Takes at most so many bytes from now on, but not less than at first (`kFewestBytes`).
+    void setMost(std::uint64_t bytes);
+    /// Bytes on the card of a row, once pictures are thrown, too.
+    static constexpr std::uint64_t kRowBytes = std::uint64_t{PaintSquares::kWidth} * (4 + 4 + 8);
+    static constexpr std::uint32_t kFewestRows = 512;
+    static constexpr std::uint64_t kFewestBytes = kFewestRows * kRowBytes;
     /// Makes room for so many rows and keeps what is there; false where there is none.
     bool reserve(std::uint32_t rows);
     /// Draws dabs over the squares of a batch, which lie in rows reserved.
@@ -112,7 +118,8 @@ private:
     TextureBuffer m_dabs;
     GLuint m_vertexArray = 0;
     std::uint32_t m_rows = 0;
-    std::uint32_t m_mostRows = 0;
+    std::uint32_t m_ableRows = 0; ///< of the card
+    std::uint32_t m_mostRows = 0; ///< of these, by `setMost`
 };
 
 } // namespace trixel::render

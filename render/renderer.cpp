@@ -52,8 +52,7 @@ Renderer::Renderer(std::unique_ptr<Gl> gl,
     , m_surface(std::move(surface))
     , m_pictures(std::move(pictures))
     , m_overlay(std::move(overlay))
-    , m_layers{Layer{{}, SurfaceTexels(*m_gl), VertexForm(*m_gl), AtlasForm(*m_gl), 0},
-               Layer{{}, SurfaceTexels(*m_gl), VertexForm(*m_gl), AtlasForm(*m_gl), 0}}
+    , m_layers{Layer(*m_gl), Layer(*m_gl)}
     , m_timer(*m_gl)
 {
     m_gl->glGenVertexArrays(1, &m_vertexArray);
@@ -113,6 +112,18 @@ void Renderer::setCardBudget(std::uint64_t bytes)
 {
     m_cardBudget = bytes;
     shareBudget();
+    if (m_preview && previewShare() > 0) {
+        m_preview->sheet().setMost(previewShare());
+    }
+}
+
+/// Set aside for strokes shown over texels, whether there is one or not: texels would have to be
+/// sent anew for the first. None where that would leave texels little.
+std::uint64_t Renderer::previewShare() const
+{
+    constexpr std::uint64_t kLeast = PaintSheet::kFewestBytes;
+    const std::uint64_t words = m_faceCount * sizeof(std::uint32_t);
+    return m_cardBudget / 2 < kLeast + words ? 0 : std::max(m_cardBudget / 8, kLeast);
 }
 
 /// Of one side's texels, or of one other form of them.
@@ -120,7 +131,10 @@ std::uint32_t Renderer::mostTexels(std::size_t bytesEach) const
 {
     const std::uint64_t forms =
         1U + (wants(FilterSource::Vertices) ? 1U : 0U) + (wants(FilterSource::Atlas) ? 1U : 0U);
-    const std::uint64_t share = m_cardBudget / (forms * (m_hasOtherTexels ? 2U : 1U));
+    const std::uint64_t words =
+        previewShare() > 0 ? m_faceCount * sizeof(std::uint32_t) : std::uint64_t{0};
+    const std::uint64_t share =
+        (m_cardBudget - previewShare() - words) / (forms * (m_hasOtherTexels ? 2U : 1U));
     const std::uint64_t records = m_faceCount * sizeof(FaceRecord);
     const std::uint64_t bytes = share > records ? share - records : 0;
     return static_cast<std::uint32_t>(
@@ -133,6 +147,9 @@ void Renderer::shareBudget()
 {
     for (Layer& layer : m_layers) {
         layer.display.setMost(mostTexels(texelBytes(layer.display.format())));
+        if (layer.hasVertices) {
+            layer.vertices.setMost(mostTexels(texelBytes(layer.vertices.format())));
+        }
     }
 }
 
@@ -157,7 +174,9 @@ void Renderer::applyLook()
     const CardChannels channels = channelsFor(m_format, m_cardLook.rule);
     for (Layer& layer : m_layers) {
         layer.display.showChannels(channels);
-        layer.vertices.showChannels(channels);
+        if (layer.hasVertices) {
+            layer.vertices.showChannels(channels);
+        }
         layer.atlas.showChannels(channels);
     }
     m_cardLook.channels = channels;
@@ -169,16 +188,31 @@ void Renderer::applyLook()
 void Renderer::touchTexels(const TexelStore& store, std::span<const TouchedRect> rects, Side side)
 {
     layer(side).display.touch(store, rects);
-    layer(side).vertices.touch(store, rects);
+    if (layer(side).hasVertices) {
+        layer(side).vertices.touch(store, rects);
+    }
     layer(side).atlas.touch(store, rects);
 }
 
 void Renderer::touchAllTexels(Side side)
 {
     layer(side).display.touchAll();
-    layer(side).vertices.touchAll();
+    if (layer(side).hasVertices) {
+        layer(side).vertices.touchAll();
+    }
     layer(side).atlas.touchAll();
 }
+
+namespace {
+
+/// \return  bytes sent
+std::size_t send(SurfaceTexels& card, const DisplayUpdate& update, const DisplayBlocks& display)
+{
+    card.upload(update, display.records(), display.format());
+    return update.bytes.size();
+}
+
+} // namespace
 
 std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudget, Side side)
 {
@@ -186,29 +220,37 @@ std::size_t Renderer::uploadTexels(const TexelStore& store, std::size_t byteBudg
     if (!sent.display.hasWork()) {
         return 0;
     }
-    return send(sent, sent.display.take(store, byteBudget));
+    return send(sent.card, sent.display.take(store, byteBudget), sent.display);
 }
 
 std::size_t Renderer::sendReady(const TexelStore& store, std::size_t mostRead, Side side)
 {
     Layer& sent = layer(side);
-    return sent.display.hasReady() ? send(sent, sent.display.takeReady(store, mostRead)) : 0;
+    return sent.display.hasReady()
+               ? send(sent.card, sent.display.takeReady(store, mostRead), sent.display)
+               : 0;
 }
 
-std::size_t Renderer::send(Layer& layer, const DisplayUpdate& update)
+std::size_t Renderer::sendReadyVertices(const TexelStore& store, std::size_t mostRead, Side side)
 {
-    layer.card.upload(update, layer.display.records(), layer.display.format());
-    return update.bytes.size();
+    Layer& sent = layer(side);
+    return sent.hasVertices && sent.vertices.hasReady()
+               ? send(sent.vertexCard, sent.vertices.takeReady(store, mostRead), sent.vertices)
+               : 0;
 }
 
 Result<PaintPreview*> Renderer::preview()
 {
+    if (previewShare() == 0) {
+        return contentsError("Texels may take too little of the graphics card to show strokes on.");
+    }
     if (!m_preview) {
         auto made = PaintPreview::create(*m_gl, m_coverageFormat);
         if (!made) {
             return tl::unexpected(made.error());
         }
         m_preview = std::move(*made);
+        m_preview->sheet().setMost(previewShare());
     }
     return m_preview.get();
 }
@@ -230,9 +272,10 @@ void Renderer::drawSide(const Scene& scene, Filtering filtering, Side texels, Si
     style.filtering = isFilterReady(filtering, texels) ? filtering : Filtering::Texels;
     const FilterSource source = sourceOf(style.filtering);
     Layer& shown = layer(texels);
+    style.levelCut = source == FilterSource::Vertices ? shown.vertices.viewCut() : 0.0F;
     m_surface->draw(scene.camera,
                     style,
-                    source == FilterSource::Vertices ? shown.vertices.card() : shown.card,
+                    source == FilterSource::Vertices ? shown.vertexCard : shown.card,
                     m_cardLook,
                     preview,
                     source == FilterSource::Atlas ? &shown.atlas.card() : nullptr,
@@ -247,26 +290,33 @@ void Renderer::draw(const Scene& scene)
     m_timer.begin();
     drawFrame(scene);
     m_timer.end();
-    const DisplayTexels& shown = texels();
+    const Layer& layer = m_layers[static_cast<std::size_t>(Side::A)];
+    const bool showsVertices = sourceOf(scene.surface.filtering) == FilterSource::Vertices &&
+                               isFilterReady(scene.surface.filtering);
+    const DisplayBlocks& shown = showsVertices ? static_cast<const DisplayBlocks&>(layer.vertices)
+                                               : static_cast<const DisplayBlocks&>(layer.display);
     m_figures = {};
     m_figures.cardMs = m_timer.milliseconds();
     m_figures.filtering = scene.surface.filtering;
     m_figures.levelsDropped = shown.levelsDropped();
-    m_figures.faces = m_faceCount;
+    m_figures.faces = shown.facesInView().value_or(m_faceCount);
     m_figures.triangles = m_faceCount;
     if (const auto& limit = m_surface->limit().shown(); scene.surface.limit && limit) {
         m_figures.triangles = limit->triangles().size();
         m_figures.surfaceError = limit->error();
     }
-    m_figures.texels = shown.texelsUsed();
+    m_figures.texels = layer.display.texelsUsed();
     m_figures.budgetBytes = m_cardBudget;
-    for (Layer& layer : m_layers) {
-        m_figures.residentBytes += layer.display.cardBytes();
-        if (layer.vertices.isReady()) {
-            const DisplayVertices& vertices = layer.vertices.layout();
-            m_figures.residentBytes += vertices.verticesUsed() * texelBytes(vertices.format());
-        }
+    m_figures.residentBytes = residentBytes();
+}
+
+std::uint64_t Renderer::residentBytes() const
+{
+    std::uint64_t bytes = m_preview ? m_preview->bytes() : 0;
+    for (const Layer& layer : m_layers) {
+        bytes += layer.display.cardBytes() + layer.vertices.cardBytes() + layer.atlas.bytes();
     }
+    return bytes;
 }
 
 void Renderer::drawFrame(const Scene& scene)

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "render/camera.h"
+#include "render/display_vertices.h"
 #include "render/filter_layer.h"
 #include "render/frame_figures.h"
 #include "render/frame_timer.h"
@@ -51,14 +52,20 @@ public:
     /// Shows a store of the mesh's faces from the beginning. Side B has texels of its own only
     /// where `Split` says so.
     void setTexels(const TexelStore& store, int mipDrop, Side side = Side::A);
-    /// Most bytes of texels on the card, both sides together, beside their bases; 512 MiB unless
-    /// told otherwise.
+    /// Most bytes on the card of texels, of what is made of them for ways of filtering, and of
+    /// strokes shown over them, both sides together; 512 MiB unless told otherwise. What shows each
+    /// face at all is there even where that is more.
     void setCardBudget(std::uint64_t bytes);
     std::uint64_t cardBudget() const { return m_cardBudget; }
     /// What is on the card of a side, to be planned for and worked on.
     DisplayTexels& display(Side side) { return layer(side).display; }
-    /// Sends what is ready; see `DisplayTexels::takeReady`. \return bytes of texels sent
+    /// The same of what ways of filtering over vertices show, which begins with the store when it
+    /// is first asked for. \return  null where none is wanted (`wantFilterings`), or could be
+    DisplayVertices* vertices(const TexelStore& store, Side side);
+    /// Sends what is ready; see `DisplayBlocks::takeReady`. \return bytes of texels sent
     std::size_t sendReady(const TexelStore& store, std::size_t mostRead, Side side = Side::A);
+    /// The same of vertices.
+    std::size_t sendReadyVertices(const TexelStore& store, std::size_t mostRead, Side side);
     /// Gives up what B shows.
     void clearOtherTexels();
     void
@@ -78,12 +85,16 @@ public:
     void setFilterMesh(std::shared_ptr<const FilterMesh> mesh);
     /// The ways of filtering that frames to come show. What others need is given up.
     void wantFilterings(std::span<const Filtering> filterings);
-    /// Sends up to a budget of bytes of what they need beside texels, which is made in the
-    /// background. \return bytes sent
+    /// Makes and sends up to a budget of bytes of what they need beside texels; the atlas is made
+    /// in the background. \return bytes sent
     std::size_t uploadFilters(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
     /// Whether `uploadFilters` will have something to send, now or later.
     bool hasFilterWork(Side side = Side::A) const;
-    /// What is on the card for a way of filtering; nothing until all of it is.
+    /// The same of the atlas alone, where vertices are streamed.
+    std::size_t uploadAtlas(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
+    bool hasAtlasWork(Side side = Side::A) const;
+    /// Whether a way of filtering is shown: of the atlas all of it, of others something of every
+    /// face is on the card. Until then texels are.
     bool isFilterReady(Filtering filtering, Side side = Side::A) const;
 
     /// How texels are looked at from now on. A channel that is not on the card is sent over the
@@ -91,7 +102,7 @@ public:
     void setLook(const Look& look);
 
     /// What a stroke in progress makes of side A's texels, shown over them; made at the first call.
-    /// Fails where the card cannot draw it.
+    /// Fails where the card cannot draw it, or its part of the budget is too small for it.
     Result<PaintPreview*> preview();
     /// The same if it has been made; else null.
     PaintPreview* shownPreview() { return m_preview.get(); }
@@ -127,11 +138,20 @@ private:
     /// The texels of one side.
     struct Layer
     {
+        explicit Layer(Gl& gl)
+            : card(gl)
+            , vertexCard(gl)
+            , atlas(gl)
+        {
+        }
+
         DisplayTexels display;
         SurfaceTexels card;
-        VertexForm vertices;
+        DisplayVertices vertices;
+        SurfaceTexels vertexCard;
         AtlasForm atlas;
         int mipDrop = 0;
+        bool hasVertices = false; ///< begun
     };
     bool wants(FilterSource source) const { return m_wanted[static_cast<std::size_t>(source)]; }
     Layer& layer(Side side) { return m_layers[static_cast<std::size_t>(side)]; }
@@ -140,10 +160,12 @@ private:
     void drawSide(const Scene& scene, Filtering filtering, Side texels, Side picture);
     void applyLook();
     std::uint32_t mostTexels(std::size_t bytesEach) const;
+    std::uint64_t previewShare() const;
     void shareBudget();
     void forgetDisplay(Layer& layer);
-    std::size_t send(Layer& layer, const DisplayUpdate& update);
-    static void clearFilters(Layer& layer);
+    std::uint64_t residentBytes() const;
+    void clearVertices(Layer& layer);
+    void clearFilters(Layer& layer);
 
     std::unique_ptr<Gl> m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_background;
@@ -162,7 +184,7 @@ private:
     bool m_hasOtherTexels = false;
     std::shared_ptr<const FilterMesh> m_filterMesh;
     std::array<bool, 3> m_wanted{}; ///< by `FilterSource`
-    std::uint32_t m_displays = 0; ///< made so far
+    std::uint32_t m_displays = 0;   ///< made so far
     FrameTimer m_timer;
     FrameFigures m_figures;
 };

@@ -20,9 +20,17 @@ void Renderer::setFilterMesh(std::shared_ptr<const FilterMesh> mesh)
     }
 }
 
+void Renderer::clearVertices(Layer& layer)
+{
+    if (std::exchange(layer.hasVertices, false)) {
+        layer.vertices = DisplayVertices(++m_displays << 16U);
+        layer.vertexCard.clear(0);
+    }
+}
+
 void Renderer::clearFilters(Layer& layer)
 {
-    layer.vertices.clear();
+    clearVertices(layer);
     layer.atlas.clear();
 }
 
@@ -34,7 +42,7 @@ void Renderer::wantFilterings(std::span<const Filtering> filterings)
     }
     for (Layer& layer : m_layers) {
         if (!wants(FilterSource::Vertices)) {
-            layer.vertices.clear();
+            clearVertices(layer);
         }
         if (!wants(FilterSource::Atlas)) {
             layer.atlas.clear();
@@ -43,32 +51,56 @@ void Renderer::wantFilterings(std::span<const Filtering> filterings)
     shareBudget();
 }
 
+DisplayVertices* Renderer::vertices(const TexelStore& store, Side side)
+{
+    if (!m_filterMesh || !wants(FilterSource::Vertices)) {
+        return nullptr;
+    }
+    Layer& shown = layer(side);
+    if (!std::exchange(shown.hasVertices, true)) {
+        shown.vertexCard.clear(m_faceCount);
+        shown.vertices.reset(
+            m_filterMesh, store, shown.mipDrop, mostTexels(texelBytes(shown.display.format())));
+        shown.vertices.showChannels(shown.display.channels());
+    }
+    return &shown.vertices;
+}
+
 std::size_t Renderer::uploadFilters(const TexelStore& store, std::size_t byteBudget, Side side)
 {
-    if (!m_filterMesh) {
+    std::size_t bytes = uploadAtlas(store, byteBudget, side);
+    DisplayVertices* made = vertices(store, side);
+    if (made != nullptr && made->hasWork()) {
+        const DisplayUpdate update = made->take(store, byteBudget);
+        layer(side).vertexCard.upload(update, made->records(), made->format());
+        bytes += update.bytes.size();
+    }
+    return bytes;
+}
+
+std::size_t Renderer::uploadAtlas(const TexelStore& store, std::size_t byteBudget, Side side)
+{
+    if (!m_filterMesh || !wants(FilterSource::Atlas)) {
         return 0;
     }
     Layer& sent = layer(side);
-    const CardChannels& channels = sent.display.channels();
-    std::size_t bytes = 0;
-    if (wants(FilterSource::Vertices)) {
-        const std::uint64_t most = mostTexels(texelBytes(sent.display.format()));
-        bytes +=
-            sent.vertices.upload(m_filterMesh, store, channels, sent.mipDrop, most, byteBudget);
-    }
-    if (wants(FilterSource::Atlas)) {
-        const std::uint64_t most = mostTexels(1); // bytes
-        bytes += sent.atlas.upload(m_filterMesh, store, channels, sent.mipDrop, most, byteBudget);
-    }
-    return bytes;
+    const std::uint64_t most = mostTexels(1); // bytes
+    return sent.atlas.upload(
+        m_filterMesh, store, sent.display.channels(), sent.mipDrop, most, byteBudget);
 }
 
 bool Renderer::hasFilterWork(Side side) const
 {
     const Layer& layer = m_layers[static_cast<std::size_t>(side)];
-    return m_filterMesh != nullptr &&
-           ((wants(FilterSource::Vertices) && layer.vertices.hasWork()) ||
-            (wants(FilterSource::Atlas) && layer.atlas.hasWork()));
+    const bool hasVertexWork = m_filterMesh && wants(FilterSource::Vertices) &&
+                               (!layer.hasVertices || layer.vertices.hasWork());
+    return hasVertexWork || hasAtlasWork(side);
+}
+
+bool Renderer::hasAtlasWork(Side side) const
+{
+    const Layer& layer = m_layers[static_cast<std::size_t>(side)];
+    return m_filterMesh && wants(FilterSource::Atlas) && layer.atlas.hasWork();
 }
 
 bool Renderer::isFilterReady(Filtering filtering, Side side) const
@@ -78,7 +110,7 @@ bool Renderer::isFilterReady(Filtering filtering, Side side) const
     case FilterSource::Texels:
         return true;
     case FilterSource::Vertices:
-        return m_filterMesh != nullptr && layer.vertices.isReady();
+        return m_filterMesh != nullptr && layer.hasVertices && layer.vertices.isShown();
     case FilterSource::Atlas:
         break;
     }

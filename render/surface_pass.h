@@ -32,7 +32,7 @@ struct SurfaceStyle
     bool faceColors = false; ///< each face in its one colour, in place of its texels
     bool limit = false;      ///< as the limit surface's tessellation, where there is one
     Filtering filtering = Filtering::Texels;
-    float levelCut = 0; ///< by which filtering over vertices shows all coarser than it would
+    float levelCut = 0;      ///< by which filtering over vertices shows all coarser than it would
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
 
@@ -87,8 +87,7 @@ private:
 
     explicit SurfacePass(Gl& gl);
     Status makeProgram(std::size_t variant, bool isLimit);
-    void
-    setFilter(QOpenGLShaderProgram& program, const Camera& camera, const SurfaceStyle& style);
+    void setFilter(QOpenGLShaderProgram& program, const Camera& camera, const SurfaceStyle& style);
     static void setLook(QOpenGLShaderProgram& program, const CardLook& look);
 
     Gl& m_gl;

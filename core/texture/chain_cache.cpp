@@ -15,7 +15,7 @@ constexpr std::size_t kEntryBytes = 112;
 
 /// The chosen channels of consecutive texels.
 void decodeChosen(const TexelFormat& format,
-                  const ChannelChoice& channels,
+                  const ChosenChannels& channels,
                   std::span<const std::byte> texels,
                   float* values)
 {
@@ -40,9 +40,37 @@ void decodeChosen(const TexelFormat& format,
     });
 }
 
+/// The face in memory, or the coarsest level that its file keeps which is fine enough.
+FaceTexels readAtLeast(const FaceTexels& face, Level finest)
+{
+    if (!face.isLoaded()) {
+        if (const auto mean = face.mean(); mean && finest == Level()) {
+            return FaceTexels::constant(finest, *mean);
+        }
+        for (int k = finest.log2(); k < face.level().log2(); ++k) {
+            if (auto kept = face.storedLevel(Level(k))) {
+                return std::move(*kept);
+            }
+        }
+    }
+    return face.pinned();
+}
+
 } // namespace
 
-ChainCache::ChainCache(const ChannelChoice& channels, std::size_t mostBytes)
+void fillChain(const TexelFormat& format,
+               const ChosenChannels& channels,
+               const FaceTexels& face,
+               float* values)
+{
+    check(!face.isStored() || face.isLoaded(), "texels in memory");
+    decodeChosen(format, channels, face.bytes(), values);
+    if (!face.isConstant()) {
+        fillCoarser(face.level(), values);
+    }
+}
+
+ChainCache::ChainCache(const ChosenChannels& channels, std::size_t mostBytes)
     : m_channels(channels)
     , m_mostBytes(mostBytes)
 {
@@ -55,8 +83,13 @@ LevelTexels ChainCache::texels(const TexelStore& store, FaceId face, Level level
     if (recent.chain == nullptr || recent.face != number) {
         recent = {number, &chain(store, number)};
     }
+    if (level > recent.chain->level) {
+        check(level <= store.face(face).level(), "a level that the face has");
+        Chain& coarse = m_chains.at(number);
+        m_replaced.push_back(std::move(coarse.values));
+        fill(store, number, level, coarse);
+    }
     const Chain& known = *recent.chain;
-    check(level <= known.level, "a level that the face has");
     return known.constant ? LevelTexels{known.values.get(), 0}
                           : LevelTexels{known.values.get() + chainBegin(known.level, level)};
 }
@@ -67,28 +100,27 @@ ChainCache::Chain& ChainCache::chain(const TexelStore& store, std::uint32_t face
     Chain& chain = at->second;
     if (isNew) {
         chain.order = m_order.insert(m_order.begin(), face);
-        fill(store, face, chain);
+        fill(store, face, m_finest, chain);
     } else {
         m_order.splice(m_order.begin(), m_order, chain.order);
     }
     return chain;
 }
 
-void ChainCache::fill(const TexelStore& store, std::uint32_t face, Chain& chain)
+void ChainCache::fill(const TexelStore& store, std::uint32_t face, Level finest, Chain& chain)
 {
-    const FaceTexels& texels = store.face(faceId(face));
+    const FaceTexels& whole = store.face(faceId(face));
+    const FaceTexels read = whole.isStored() ? readAtLeast(whole, finest) : FaceTexels();
+    const FaceTexels& texels = whole.isStored() ? read : whole;
     const std::size_t size = chainSize(texels.level(), texels.isConstant());
-    if (chain.bytes != size * sizeof(float) + kEntryBytes) {
+    if (!chain.values || chain.bytes != size * sizeof(float) + kEntryBytes) {
         chain.values = std::make_unique_for_overwrite<float[]>(size);
         m_bytes += size * sizeof(float) + kEntryBytes - chain.bytes;
         chain.bytes = size * sizeof(float) + kEntryBytes;
     }
-    chain.level = texels.level();
+    chain.level = whole.isConstant() ? whole.level() : texels.level();
     chain.constant = texels.isConstant();
-    decodeChosen(store.format(), m_channels, PinnedFace(texels)->bytes(), chain.values.get());
-    if (!chain.constant) {
-        fillCoarser(chain.level, chain.values.get());
-    }
+    fillChain(store.format(), m_channels, texels, chain.values.get());
 }
 
 void ChainCache::update(const TexelStore& store, std::span<const TouchedRect> rects)
@@ -103,7 +135,7 @@ void ChainCache::update(const TexelStore& store, std::span<const TouchedRect> re
         const bool follows =
             !rect.wholeFace && face.level() == chain.level && !chain.constant && !face.isConstant();
         if (!follows) {
-            fill(store, at->first, chain);
+            fill(store, at->first, m_finest, chain);
             continue;
         }
         const std::size_t r = chain.level.resolution();
@@ -124,6 +156,7 @@ void ChainCache::update(const TexelStore& store, std::span<const TouchedRect> re
 
 void ChainCache::trim()
 {
+    m_replaced.clear();
     while (m_bytes > m_mostBytes && !m_order.empty()) {
         give(m_order.back());
     }

@@ -12,11 +12,19 @@
 #include <memory>
 #include <span>
 #include <unordered_map>
+#include <vector>
 
 namespace trixel {
 
 /// The four channels of a store that someone wants; -1 stands for the constant 1.
-using ChannelChoice = std::array<int, 4>;
+using ChosenChannels = std::array<int, 4>;
+
+/// The chosen channels of a face in memory (checked) as floats, all its levels: `chainSize` of
+/// them.
+void fillChain(const TexelFormat& format,
+               const ChosenChannels& channels,
+               const FaceTexels& face,
+               float* values);
 
 /// Texels of single faces as floats with all their coarser levels, to the bit what `FloatMips`
 /// holds, made when first asked for and kept while there is room. One thread at a time.
@@ -24,11 +32,19 @@ class ChainCache
 {
 public:
     /// \param mostBytes  of chains that `trim` keeps
-    ChainCache(const ChannelChoice& channels, std::size_t mostBytes);
+    ChainCache(const ChosenChannels& channels, std::size_t mostBytes);
+
+    /// From now on faces still in their file are read only as finely as this, where the file keeps
+    /// such a level: what it keeps may differ from what `reduced` makes. Finer ones that are asked
+    /// for all the same are read in full.
+    void readAt(Level finest) { m_finest = finest; }
 
     /// \param level  not above the face's (checked)
     /// \return  there until the next `trim`, `update` or `forget`
     LevelTexels texels(const TexelStore& store, FaceId face, Level level);
+
+    /// Whether a face is kept.
+    bool holds(FaceId face) const { return m_chains.contains(static_cast<std::uint32_t>(face)); }
 
     /// Takes over what changed in faces whose chains are kept: touched texels and their parents.
     /// \param store  as it is now
@@ -38,13 +54,13 @@ public:
     void trim();
     void forget();
 
-    const ChannelChoice& channels() const { return m_channels; }
+    const ChosenChannels& channels() const { return m_channels; }
     std::size_t bytes() const { return m_bytes; }
 
 private:
     struct Chain
     {
-        Level level;
+        Level level; ///< the finest that is held
         bool constant = false;
         std::unique_ptr<float[]> values;
         std::size_t bytes = 0;
@@ -52,14 +68,16 @@ private:
     };
 
     Chain& chain(const TexelStore& store, std::uint32_t face);
-    void fill(const TexelStore& store, std::uint32_t face, Chain& chain);
+    void fill(const TexelStore& store, std::uint32_t face, Level finest, Chain& chain);
     void give(std::uint32_t face);
 
-    ChannelChoice m_channels;
+    ChosenChannels m_channels;
     std::size_t m_mostBytes;
     std::size_t m_bytes = 0;
     std::unordered_map<std::uint32_t, Chain> m_chains;
     std::list<std::uint32_t> m_order; ///< last used first
+    Level m_finest{Level::kMax};
+    std::vector<std::unique_ptr<float[]>> m_replaced; ///< by finer ones, until the next `trim`
     /// Those asked for lately, by their last bits: a face is asked for many times in a row.
     struct Recent
     {

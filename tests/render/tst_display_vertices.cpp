@@ -27,9 +27,14 @@ struct Card
         const DisplayUpdate update = layout.take(store, budget);
         if (update.fresh) {
             vertices.assign(update.capacity * kVertexBytes, std::byte{0xAA});
-            records.assign(layout.records().size(), FaceRecord{});
+            records.assign(layout.records().begin(), layout.records().end());
         }
         vertices.resize(update.capacity * kVertexBytes);
+        for (const CardBlocks::Move& move : update.moves) {
+            std::memcpy(vertices.data() + move.to * kVertexBytes,
+                        vertices.data() + move.from * kVertexBytes,
+                        move.count * kVertexBytes);
+        }
         const std::byte* bytes = update.bytes.data();
         for (const DisplayUpdate::Range& range : update.texels) {
             ASSERT_LE(range.first + range.count, update.capacity);

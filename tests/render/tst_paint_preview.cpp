@@ -353,6 +353,7 @@ private slots:
                              format,
                              Level(11), // eight of these fill the sheet; they store one texel
                              black);
+        m_renderer->setCardBudget(std::uint64_t{2} << 30U); // of which the sheet has an eighth
         QVERIFY(m_renderer->setMesh(m_surface->mesh()));
         m_renderer->setTexels(m_store, 0);
         send();

@@ -67,15 +67,40 @@ CardStreaming::TaskPtr<T> CardStreaming::start(int priority, Work work)
     return task;
 }
 
+void CardStreaming::Lane::forgetSnapshot()
+{
+    snapshot = nullptr;
+    maker = nullptr;
+}
+
 void CardStreaming::setSurface(std::shared_ptr<const Surface> surface)
 {
     forget();
     m_surface = std::move(surface);
     m_extents = nullptr;
+    m_filterMesh = nullptr;
+    m_vertexExtents = nullptr;
     if (m_surface) {
         m_extents = start<render::FaceExtents>(kSoon, [shown = m_surface] {
             return render::FaceExtents::of(shown->mesh(), Threads::all());
         });
+    }
+}
+
+void CardStreaming::setFilterMesh(std::shared_ptr<const render::FilterMesh> mesh)
+{
+    if (mesh == m_filterMesh) {
+        return;
+    }
+    vertexLane(render::Side::A) = {};
+    vertexLane(render::Side::B) = {};
+    m_filterMesh = std::move(mesh);
+    m_vertexExtents = nullptr;
+    if (m_surface && m_filterMesh) {
+        m_vertexExtents =
+            start<render::FaceExtents>(kSoon, [shown = m_surface, filterMesh = m_filterMesh] {
+                return render::vertexExtents(shown->mesh(), *filterMesh, Threads::all());
+            });
     }
 }
 
@@ -87,7 +112,7 @@ void CardStreaming::forget()
 void CardStreaming::texelsChanged()
 {
     for (Lane& lane : m_lanes) {
-        lane.snapshot = nullptr;
+        lane.forgetSnapshot();
     }
     m_pause.start();
 }
@@ -117,31 +142,56 @@ bool CardStreaming::send(render::Renderer& renderer,
     QElapsedTimer clock;
     clock.start();
     const auto limit = static_cast<qint64>(milliseconds * 1e6);
-    Lane& lane = m_lanes[static_cast<std::size_t>(side)];
-    render::DisplayTexels& display = renderer.display(side);
-    open(lane, display, store);
-    plan(lane, display, camera);
-    renderer.sendReady(store, kMostRead, side);
-    while (!lane.batches.empty() && lane.batches.front().made->isDone &&
-           clock.nsecsElapsed() < limit) {
+    const auto hasTime = [&] { return clock.nsecsElapsed() < limit; };
+    render::DisplayVertices* vertices = renderer.vertices(store, side);
+    bool hasMore = false;
+    if (vertices != nullptr && m_vertexExtents) {
+        const auto sendReady = [&] { renderer.sendReadyVertices(store, kMostRead, side); };
+        hasMore =
+            send({vertexLane(side), *vertices, m_vertexExtents, store, camera, sendReady, hasTime});
+    } else {
+        vertexLane(side) = {};
+    }
+    const auto sendReady = [&] { renderer.sendReady(store, kMostRead, side); };
+    const bool isShown = m_showsTexels || vertices == nullptr || !vertices->isShown();
+    return send({texelLane(side),
+                 renderer.display(side),
+                 m_extents,
+                 store,
+                 camera,
+                 sendReady,
+                 hasTime,
+                 isShown}) ||
+           hasMore;
+}
+
+bool CardStreaming::send(const Frame& frame)
+{
+    Lane& lane = frame.lane;
+    open(frame);
+    plan(frame);
+    frame.sendReady();
+    while (!lane.batches.empty() && lane.batches.front().made->isDone && frame.hasTime()) {
         const Batch batch = std::move(lane.batches.front());
         lane.batches.pop_front();
-        display.accept(*batch.made->result, batch.jobs, store);
-        renderer.sendReady(store, kMostRead, side);
+        frame.display.accept(*batch.made->result, batch.jobs, frame.store);
+        frame.sendReady();
     }
-    plan(lane, display, camera); // blocks may have found no room
-    giveOut(lane, display, store, !m_pause.isActive());
+    plan(frame); // blocks may have found no room
+    giveOut(frame);
     const bool isNextReady = !lane.batches.empty() && lane.batches.front().made->isDone;
-    return isNextReady || (display.hasReady() && !display.needsOpening());
+    return isNextReady || (frame.display.hasReady() && !frame.display.needsOpening());
 }
 
 /// What there is to show at the least comes before all else.
-void CardStreaming::open(Lane& lane, render::DisplayTexels& display, const TexelStore& store)
+void CardStreaming::open(const Frame& frame)
 {
+    Lane& lane = frame.lane;
+    render::DisplayBlocks& display = frame.display;
     if (lane.opening && lane.opening->isDone) {
         const render::CardOpening& made = *lane.opening->result;
         if (display.needsOpening() && made.form == display.form() &&
-            made.faces.size() == store.faceCount()) {
+            made.faces.size() == frame.store.faceCount()) {
             display.open(made);
             if (lane.openingNumber != display.openingNumber()) {
                 display.touchAll(); // of what is by now: better shown late than never
@@ -150,18 +200,20 @@ void CardStreaming::open(Lane& lane, render::DisplayTexels& display, const Texel
         lane.opening = nullptr;
     }
     if (display.needsOpening() && !lane.opening) {
-        lane.snapshot = nullptr; // it may be of another store
+        lane.forgetSnapshot(); // it may be of another store
         lane.openingNumber = display.openingNumber();
         lane.opening = start<render::CardOpening>(
-            kSoon, [snapshot = snapshotOf(lane, store), form = display.form()] {
-                return render::openCard(*snapshot, form, false, Threads::all());
+            kSoon, [snapshot = snapshotOf(lane, frame.store), opener = display.opener()] {
+                return opener(*snapshot);
             });
     }
 }
 
 /// One plan at a time: views that came and went meanwhile are passed over.
-void CardStreaming::plan(Lane& lane, render::DisplayTexels& display, const render::Camera& camera)
+void CardStreaming::plan(const Frame& frame)
 {
+    Lane& lane = frame.lane;
+    render::DisplayBlocks& display = frame.display;
     if (lane.plan && lane.plan->isDone) {
         if (lane.plan->result->wanted.size() == display.records().size()) {
             display.follow(std::move(*lane.plan->result));
@@ -169,39 +221,45 @@ void CardStreaming::plan(Lane& lane, render::DisplayTexels& display, const rende
         lane.plan = nullptr;
     }
     const bool isOpen = !display.needsOpening() && !display.records().empty();
-    const bool isNew = display.needsPlan() || !lane.planned || !sameView(*lane.planned, camera);
-    if (!isOpen || lane.plan || !isNew || !m_extents || !m_extents->isDone) {
+    const bool isNew =
+        display.needsPlan() || !lane.planned || !sameView(*lane.planned, frame.camera);
+    const bool hasExtents = frame.extents && frame.extents->isDone;
+    if (!frame.isShown || !isOpen || lane.plan || !isNew || !hasExtents) {
         return;
     }
-    lane.planned = camera;
+    lane.planned = frame.camera;
     lane.plan = start<render::ResidencyPlan>(
         kSoon,
-        [extents = m_extents, camera, faces = display.facesOnCard(), room = display.mostRoom()]()
-            -> render::ResidencyPlan {
+        [extents = frame.extents,
+         camera = frame.camera,
+         faces = display.facesOnCard(),
+         room = display.mostRoom()]() -> render::ResidencyPlan {
             std::vector<render::Wish> wishes(faces.size());
             render::wishesOf(*extents->result, camera, Threads::all(), wishes);
             return render::planResidency(wishes, faces, room);
         });
 }
 
-void CardStreaming::giveOut(Lane& lane,
-                            render::DisplayTexels& display,
-                            const TexelStore& store,
-                            bool means)
+void CardStreaming::giveOut(const Frame& frame)
 {
-    while (lane.batches.size() < kBatches && display.hasJobs(means)) {
+    Lane& lane = frame.lane;
+    render::DisplayBlocks& display = frame.display;
+    const bool means = !m_pause.isActive();
+    while (lane.batches.size() < kBatches && frame.isShown && display.hasJobs(means)) {
         render::JobBatch jobs = display.nextJobs(kBatchBytes, means);
         if (jobs.jobs.empty()) {
             break;
         }
+        const auto& snapshot = snapshotOf(lane, frame.store);
+        if (!lane.maker) {
+            lane.maker = display.maker();
+        }
         auto made = start<render::MadeBlocks>(
-            kUsual, [snapshot = snapshotOf(lane, store), form = display.form(), of = jobs.jobs] {
-                return render::makeBlocks(*snapshot, form, of);
-            });
+            kUsual, [snapshot, make = lane.maker, of = jobs.jobs] { return make(*snapshot, of); });
         lane.batches.push_back({std::move(jobs), std::move(made)});
     }
     if (lane.batches.empty() && !lane.opening) {
-        lane.snapshot = nullptr; // painting would copy what it shares
+        lane.forgetSnapshot(); // painting would copy what it shares
     }
 }
 
@@ -210,15 +268,18 @@ void CardStreaming::finish(render::Renderer& renderer,
                            const TexelStore& store,
                            render::Side side)
 {
-    const Lane& lane = m_lanes[static_cast<std::size_t>(side)];
-    const render::DisplayTexels& display = renderer.display(side);
+    const auto isWaiting = [&](const Lane& lane) {
+        return lane.opening || lane.plan || !lane.batches.empty();
+    };
     m_pause.stop();
     bool hasMore = true;
     while (hasMore) {
         m_pool.waitForDone();
         hasMore = send(renderer, camera, store, side, std::numeric_limits<int>::max());
-        hasMore =
-            hasMore || lane.opening || lane.plan || !lane.batches.empty() || display.needsOpening();
+        const render::DisplayVertices* vertices = renderer.vertices(store, side);
+        hasMore = hasMore || isWaiting(texelLane(side)) || isWaiting(vertexLane(side)) ||
+                  renderer.display(side).needsOpening() ||
+                  (vertices != nullptr && m_vertexExtents && vertices->needsOpening());
     }
 }
 

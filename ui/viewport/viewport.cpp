@@ -248,13 +248,14 @@ void Viewport::settle()
     d->canvas->makeCurrent();
     d->sendMesh();
     d->sendLimit(std::numeric_limits<std::size_t>::max());
+    d->waitForFilterMesh();
     d->finishTexels();
     while (d->painting.isGivingBack() && d->shownSurface) {
         d->drawPreview();
         d->finishTexels();
         d->previewDrawn();
     }
-    d->finishFilters();
+    d->finishAtlas();
     d->canvas->doneCurrent();
     d->redraw();
 }

@@ -76,63 +76,75 @@ void Viewport::Private::filterMeshReady()
     redraw();
 }
 
-/// As `sendTexels`, of what ways of filtering need beside texels; the context is current.
-void Viewport::Private::sendFilters(double milliseconds)
+/// Which ways of filtering are shown, and what all of them need of the mesh; vertices are streamed
+/// as texels are.
+void Viewport::Private::prepareFilters()
 {
-    if (!shownSurface) {
-        return;
-    }
     const std::vector<render::Filtering> shown = filteringsShown();
+    const auto shows = [&](render::FilterSource source) {
+        return std::ranges::find(shown, source, render::sourceOf) != shown.end();
+    };
     renderer->wantFilterings(shown);
-    const bool needsMesh = std::ranges::any_of(shown, [](render::Filtering filtering) {
-        return render::sourceOf(filtering) != render::FilterSource::Texels;
-    });
-    if (!needsMesh) {
+    streaming.showTexels(shows(render::FilterSource::Texels) || shows(render::FilterSource::Atlas));
+    if (!shows(render::FilterSource::Vertices) && !shows(render::FilterSource::Atlas)) {
         return;
     }
     if (!filterMesh) {
-        if (std::exchange(filterMeshDirty, false)) {
-            renderer->setFilterMesh(nullptr);
-        }
         makeFilterMesh();
+    }
+    if (filterMeshDirty) {
+        filterMeshDirty = false;
+        renderer->setFilterMesh(filterMesh);
+        streaming.setFilterMesh(filterMesh);
+    }
+}
+
+/// As `sendTexels`, of the atlas; the context is current.
+void Viewport::Private::sendAtlas(double milliseconds)
+{
+    if (!shownSurface || !filterMesh) {
         return;
     }
-    if (std::exchange(filterMeshDirty, false)) {
-        renderer->setFilterMesh(filterMesh);
-    }
-    bool hasMore = sendFilters(texels(), render::Side::A, milliseconds);
+    bool hasMore = sendAtlas(texels(), render::Side::A, milliseconds);
     if (hasOtherTexels()) {
-        hasMore = sendFilters(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
+        hasMore = sendAtlas(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
     }
     if (hasMore) {
         QTimer::singleShot(kLookAgainMs, &q, [this] { redraw(); });
     }
 }
 
-/// Waits until ways of filtering have what they need; the context is current.
-void Viewport::Private::finishFilters()
-{
-    sendFilters(0);
-    while (isMakingFilterMesh) { // again where levels changed meanwhile
-        filterWatcher.waitForFinished();
-        filterMeshReady();
-        sendFilters(0);
-    }
-    while (filterMesh && shownSurface &&
-           (sendFilters(texels(), render::Side::A, 0) ||
-            (hasOtherTexels() && sendFilters(otherSideTexels(), render::Side::B, 0)))) {
-        QThread::msleep(1);
-    }
-}
-
-bool Viewport::Private::sendFilters(const TexelStore& store, render::Side side, double milliseconds)
+bool Viewport::Private::sendAtlas(const TexelStore& store, render::Side side, double milliseconds)
 {
     QElapsedTimer clock;
     clock.start();
-    while (renderer->hasFilterWork(side) && renderer->uploadFilters(store, kSliceBytes, side) > 0 &&
+    while (renderer->hasAtlasWork(side) && renderer->uploadAtlas(store, kSliceBytes, side) > 0 &&
            (milliseconds <= 0 || clock.nsecsElapsed() < static_cast<qint64>(milliseconds * 1e6))) {
     }
-    return renderer->hasFilterWork(side);
+    return renderer->hasAtlasWork(side);
+}
+
+/// Waits until ways of filtering have what they need; the context is current.
+void Viewport::Private::waitForFilterMesh()
+{
+    if (!shownSurface) {
+        return;
+    }
+    prepareFilters();
+    while (isMakingFilterMesh) { // again where levels changed meanwhile
+        filterWatcher.waitForFinished();
+        filterMeshReady();
+        prepareFilters();
+    }
+}
+
+void Viewport::Private::finishAtlas()
+{
+    while (filterMesh && shownSurface &&
+           (sendAtlas(texels(), render::Side::A, 0) ||
+            (hasOtherTexels() && sendAtlas(otherSideTexels(), render::Side::B, 0)))) {
+        QThread::msleep(1);
+    }
 }
 
 } // namespace trixel::ui

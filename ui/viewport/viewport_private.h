@@ -138,9 +138,11 @@ public:
     void takeFilteredLimit();
     void makeFilterMesh();
     void filterMeshReady();
-    void sendFilters(double milliseconds);
-    void finishFilters();
-    bool sendFilters(const TexelStore& store, render::Side side, double milliseconds);
+    void prepareFilters();
+    void waitForFilterMesh();
+    void sendAtlas(double milliseconds);
+    bool sendAtlas(const TexelStore& store, render::Side side, double milliseconds);
+    void finishAtlas();
 
     // viewport_selection.cpp: the chosen faces
     void takeSelection();

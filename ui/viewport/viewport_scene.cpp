@@ -170,7 +170,7 @@ void Viewport::Private::draw()
     drawPreview();
     sendTexels(kUploadMs);
     previewDrawn();
-    sendFilters(kUploadMs);
+    sendAtlas(kUploadMs);
     sendPicture(render::Side::A);
     sendPicture(render::Side::B);
     sendFaceColors();
@@ -233,6 +233,7 @@ void Viewport::Private::prepareTexels()
         renderer->setTexels(sentTexels(), shownView.mipDrop);
     }
     prepareOtherSide();
+    prepareFilters();
 }
 
 /// Texels that are ready, for so long; the frames to come send the rest.

@@ -5,115 +5,20 @@
 #include <QElapsedTimer>
 #include <QTest>
 
-#include "render/residency.h"
-#include "tests/render/offscreen.h"
-#include "tests/ui/fixtures.h"
-#include "ui/viewport/card_streaming.h"
-
-#include <cmath>
-#include <random>
+#include "tests/ui/viewport/streaming_view.h"
 
 using namespace trixel;
 using namespace trixel::ui;
-
-namespace {
-
-constexpr std::uint64_t kMiB = 1U << 20U;
-constexpr double kFrameMs = 4;
-
-/// A square of 2 · cells² faces, each of one colour of its own in every texel but noise in the last
-/// bits: every level of it looks the same, whatever is shown.
-Project noisyProject(int cells, int level)
-{
-    Project project = gridProject(cells, level);
-    std::mt19937 random(1);
-    for (std::size_t f = 0; f < project.texels.faceCount(); ++f) {
-        const auto color = static_cast<std::uint32_t>(random());
-        std::size_t k = 0;
-        for (std::byte& b : project.texels.writable(faceId(f))) {
-            const std::uint32_t part = 64 + (color >> (8 * (k++ % 3)) & 0x7fU);
-            b = static_cast<std::byte>(part ^ (random() & 1U));
-        }
-    }
-    return project;
-}
-
-int farthest(const QImage& a, const QImage& b)
-{
-    int most = 0;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb p = a.pixel(x, y);
-            const QRgb q = b.pixel(x, y);
-            most = std::max({most,
-                             std::abs(qRed(p) - qRed(q)),
-                             std::abs(qGreen(p) - qGreen(q)),
-                             std::abs(qBlue(p) - qBlue(q))});
-        }
-    }
-    return most;
-}
-
-} // namespace
 
 class TestViewportStreaming : public QObject
 {
     Q_OBJECT
 
-private:
-    /// What a window has, without the window.
-    struct View
-    {
-        explicit View(Project shown, std::uint64_t budget)
-            : project(std::move(shown))
-            , offscreen(500, 400)
-        {
-            offscreen.bind();
-            renderer = std::move(*render::Renderer::create());
-            renderer->setCardBudget(budget);
-            (void)renderer->setMesh(project.surface->mesh());
-            renderer->setTexels(project.texels, 0);
-            streaming.setSurface(project.surface);
-            scene.surface.lit = false;
-            scene.camera.setViewport(500, 400);
-            scene.camera.setScene(project.surface->low(), project.surface->high());
-        }
-
-        void frame()
-        {
-            offscreen.bind();
-            (void)streaming.send(
-                *renderer, scene.camera, project.texels, render::Side::A, kFrameMs);
-        }
-
-        void finish()
-        {
-            offscreen.bind();
-            streaming.finish(*renderer, scene.camera, project.texels, render::Side::A);
-        }
-
-        Project project;
-        render::Offscreen offscreen;
-        std::unique_ptr<render::Renderer> renderer;
-        render::Scene scene;
-        CardStreaming streaming;
-    };
-
-    static render::CameraPose poseAt(double t)
-    {
-        render::CameraPose pose;
-        pose.target = {0.5 + 0.4 * std::sin(5 * t), 0.5 + 0.4 * std::cos(3 * t), 0};
-        pose.distance = 0.06 + 1.5 * std::pow(std::cos(4 * t), 2);
-        pose.yaw = 0.4 * std::sin(7 * t);
-        pose.pitch = 0.3;
-        return pose;
-    }
-
 private slots:
     void aFlightKeepsToTheBudgetAndLeavesNoHole()
     {
         for (const std::uint64_t budget : {2 * kMiB, 64 * kMiB}) {
-            View view(noisyProject(24, 6), budget);
+            StreamingView view(noisyProject(24, 6), budget);
             view.frame();
             view.finish();
             std::size_t late = 0;
@@ -140,7 +45,7 @@ private slots:
 
     void aViewAtRestHasTheLevelsThatItNeeds()
     {
-        View view(noisyProject(24, 6), 256 * kMiB);
+        StreamingView view(noisyProject(24, 6), 256 * kMiB);
         for (const double t : {0.1, 0.37, 0.8}) {
             view.scene.camera.setPose(poseAt(t));
             view.frame();
@@ -161,7 +66,7 @@ private slots:
 
     void whatIsPaintedMeanwhileIsShown()
     {
-        View view(noisyProject(24, 6), 64 * kMiB);
+        StreamingView view(noisyProject(24, 6), 64 * kMiB);
         view.scene.camera.setPose(poseAt(0.1));
         std::mt19937 random(2);
         for (int k = 0; k < 30; ++k) {
@@ -178,7 +83,7 @@ private slots:
         }
         view.finish();
         const QImage streamed = view.offscreen.draw(*view.renderer, view.scene);
-        View again(view.project, 64 * kMiB);
+        StreamingView again(view.project, 64 * kMiB);
         again.scene = view.scene;
         again.frame();
         again.finish();
@@ -187,7 +92,7 @@ private slots:
 
     void aDropOfLevelsReplacesWhatIsShownWithoutAHole()
     {
-        View view(noisyProject(8, 6), 64 * kMiB);
+        StreamingView view(noisyProject(8, 6), 64 * kMiB);
         view.scene.camera.setPose(poseAt(0.3));
         view.frame();
         view.finish();
@@ -208,7 +113,7 @@ private slots:
 
     void aSmallerBudgetTakesEffectAtOnce()
     {
-        View view(noisyProject(24, 6), 64 * kMiB);
+        StreamingView view(noisyProject(24, 6), 64 * kMiB);
         view.scene.camera.setPose(poseAt(0));
         view.frame();
         view.finish();
