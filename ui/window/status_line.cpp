@@ -27,7 +27,10 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &StatusLine::count);
-    connect(&document, &Document::opened, this, &StatusLine::count);
+    connect(&document, &Document::opened, this, [this] {
+        setText(withoutCounts()); // not what was open before, or that nothing was
+        count();
+    });
     connect(&document, &Document::changed, this, [this] {
         if (!m_pause.isActive()) {
             m_pause.start();
@@ -39,7 +42,7 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
 void StatusLine::count()
 {
     if (!m_document.isOpen()) {
-        setText(tr("Nothing is open"));
+        setText(withoutCounts());
         return;
     }
     const quint64 generation = ++m_generation;
@@ -52,15 +55,28 @@ void StatusLine::count()
             if (generation != m_generation || !counts) {
                 return;
             }
-            const TexelFormat& format = m_document.texels().format();
-            const std::string_view type = nameOf(format.type);
-            setText(tr("%1 faces · %2 texels · %3 · %4 × %5")
+            setText(tr("%1 faces · %2 texels · %3 · %4")
                         .arg(countText(m_document.texels().faceCount()),
                              countText(counts->texels),
-                             sizeText(counts->bytes))
-                        .arg(format.channels)
-                        .arg(QString::fromUtf8(type.data(), static_cast<qsizetype>(type.size()))));
+                             sizeText(counts->bytes),
+                             channelsText()));
         });
+}
+
+QString StatusLine::withoutCounts() const
+{
+    return m_document.isOpen()
+               ? tr("%1 faces · %2").arg(countText(m_document.texels().faceCount()), channelsText())
+               : tr("Nothing is open");
+}
+
+QString StatusLine::channelsText() const
+{
+    const TexelFormat& format = m_document.texels().format();
+    const std::string_view type = nameOf(format.type);
+    return tr("%1 × %2")
+        .arg(format.channels)
+        .arg(QString::fromUtf8(type.data(), static_cast<qsizetype>(type.size())));
 }
 
 } // namespace trixel::ui

@@ -21,6 +21,8 @@ public:
 
 private:
     void count();
+    QString withoutCounts() const;
+    QString channelsText() const;
 
     Document& m_document;
     QTimer m_pause;
