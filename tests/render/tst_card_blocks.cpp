@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <string_view>
 
 using namespace trixel;
 using namespace trixel::render;
@@ -205,6 +206,51 @@ TEST_P(BlocksOfAKind, findRoomWheneverEnoughPagesAreFreeAnywhere)
         }
     }
     EXPECT_GE(given, 2U);
+    model.expectWhole();
+}
+
+/// Sixteen pages of 32 are free, eight at most in a row: one run is cleared by moving a shelf of
+/// four pages, for which another has to be cleared first.
+TEST(CardBlocks, roomForARunIsMadeByMovingWhatIsInTheWayOfWhatIsInTheWay)
+{
+    constexpr const char* kQuads = "KDDD KDDD KDDD KKDD KKDD KKDD KKKD"; // kept or given back
+    constexpr std::size_t kFaces = 1 + 12 + 16 * 4 + 1;
+    CardBlocks blocks(BlockKind::Texels, kFaces, 128 + 32 * 64);
+    ASSERT_EQ(blocks.heapElements(), 32U * 64U);
+    ASSERT_EQ(blocks.shelfOf(Level(4)).elements, 4U * 64U);
+    ASSERT_EQ(blocks.shelfOf(Level(5)).elements, 16U * 64U);
+    Model model(blocks);
+    model.writeBases();
+    std::vector<FaceId> kept;
+    std::vector<FaceId> given;
+    std::uint32_t next = 0;
+    const auto place = [&](int level, std::vector<FaceId>& to) {
+        to.push_back(faceId(next++));
+        ASSERT_TRUE(blocks.resize(to.back(), Level(level)));
+    };
+    place(4, kept);
+    for (const char page : std::string_view(kQuads)) {
+        if (page == 'K') {
+            place(3, kept); // a page
+        }
+        for (int k = 0; page == 'D' && k < 4; ++k) {
+            place(2, given); // a quarter of one
+        }
+    }
+    model.follow(kept);
+    for (const FaceId face : given) {
+        blocks.release(face);
+    }
+    blocks.compact();
+    model.follow({});
+    model.expectWhole();
+    ASSERT_EQ(blocks.capacity() - blocks.reserved(), 16U * 64U + 128 - kFaces);
+    const FaceId large = faceId(next);
+    ASSERT_TRUE(blocks.resize(large, Level(5)));
+    model.follow({large});
+    model.expectWhole();
+    EXPECT_EQ(blocks.reserved(), blocks.capacity() - (128 - kFaces)); // not a page is left
+    EXPECT_FALSE(blocks.resize(given.front(), Level(2)));
     model.expectWhole();
 }
 
