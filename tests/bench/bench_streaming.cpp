@@ -14,6 +14,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 #include <map>
@@ -87,6 +88,22 @@ struct View
         streaming.setSurface(project.surface);
     }
 
+    /// Shows vertices from now on. \return  milliseconds until the mesh is ready for that
+    double filter(const Project& project)
+    {
+        const auto before = std::chrono::steady_clock::now();
+        scene.surface.filtering = render::Filtering::Seamless;
+        auto mesh = std::make_shared<const render::FilterMesh>(
+            project.surface->mesh(), project.surface->adjacency(), project.texels);
+        const std::chrono::duration<double, std::milli> taken =
+            std::chrono::steady_clock::now() - before;
+        renderer->wantFilterings(std::array{render::Filtering::Seamless});
+        renderer->setFilterMesh(mesh);
+        streaming.setFilterMesh(mesh);
+        streaming.showTexels(false);
+        return taken.count();
+    }
+
     bool send(const TexelStore& texels, double ms = kUploadMs)
     {
         return streaming.send(*renderer, scene.camera, texels, render::Side::A, ms);
@@ -104,6 +121,9 @@ void orbit(benchmark::State& state)
     const Project& project = sheet(static_cast<int>(state.range(0)));
     View view(project, kWidth, kHeight);
     view.renderer->setCardBudget(static_cast<std::uint64_t>(state.range(1)) << 20U);
+    if (state.range(2) != 0) {
+        view.filter(project);
+    }
     view.streaming.finish(*view.renderer, view.scene.camera, project.texels, render::Side::A);
     view.scene.camera.zoom(0.15);
     Times times;
@@ -124,13 +144,52 @@ void orbit(benchmark::State& state)
     state.counters["busy"] = static_cast<double>(changes) / frame;
 }
 BENCHMARK(orbit)
-    ->ArgNames({"side", "MiB"})
-    ->Args({71, 512})
-    ->Args({707, 512})
-    ->Args({707, 24})
+    ->ArgNames({"side", "MiB", "vertices"})
+    ->Args({71, 512, 0})
+    ->Args({707, 512, 0})
+    ->Args({707, 24, 0})
+    ->Args({707, 512, 1})
+    ->Args({707, 64, 1})
     ->Iterations(100)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
+
+/// From the choice of a way of filtering over vertices to the first frame of them, however coarse,
+/// and to all that the view needs; and the window's thread meanwhile.
+void switching(benchmark::State& state)
+{
+    using Clock = std::chrono::steady_clock;
+    const Project& project = sheet(707);
+    for (auto _ : state) {
+        View view(project, kWidth, kHeight);
+        if (state.range(0) != 0) {
+            view.scene.camera.zoom(0.15);
+        }
+        view.streaming.finish(*view.renderer, view.scene.camera, project.texels, render::Side::A);
+        const auto begin = Clock::now();
+        const auto since = [&] {
+            return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+        };
+        state.counters["mesh_ms"] = view.filter(project);
+        double first = 0;
+        double most = 0;
+        const auto* vertices = view.renderer->vertices(project.texels, render::Side::A);
+        do {
+            const double before = threadMs();
+            view.send(project.texels);
+            most = std::max(most, threadMs() - before);
+            if (first == 0 && view.renderer->isFilterReady(render::Filtering::Seamless)) {
+                first = since();
+            }
+            QThread::msleep(2);
+        } while (first == 0 || view.streaming.isBusy() || vertices->hasJobs());
+        state.SetIterationTime(since() / 1e3);
+        state.counters["first_ms"] = first;
+        state.counters["most_ms"] = most;
+    }
+}
+BENCHMARK(switching)->ArgName("close")->Arg(0)->Arg(1)->Iterations(2)->UseManualTime()->Unit(
+    benchmark::kMillisecond);
 
 /// From a sample of the pointer to its texels on the card: ray, dabs, document, what is sent.
 /// Drawing the frame is left out: here it is the processor's work too.
