@@ -33,6 +33,12 @@ constexpr FilterSource sourceOf(Filtering filtering)
     return FilterSource::Texels;
 }
 
+/// Whether a way of filtering reads texels: anisotropic sums do where pixels are about as wide.
+constexpr bool readsTexels(Filtering filtering)
+{
+    return filtering != Filtering::Seamless;
+}
+
 /// One derived form of a store's texels on the card: made in the background when it is first
 /// wanted, kept up to date after strokes while it is, given up when it is not.
 /// \tparam Layout  `DisplayAtlas`

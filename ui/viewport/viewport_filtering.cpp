@@ -85,7 +85,7 @@ void Viewport::Private::prepareFilters()
         return std::ranges::find(shown, source, render::sourceOf) != shown.end();
     };
     renderer->wantFilterings(shown);
-    streaming.showTexels(shows(render::FilterSource::Texels) || shows(render::FilterSource::Atlas));
+    streaming.showTexels(std::ranges::any_of(shown, render::readsTexels));
     if (!shows(render::FilterSource::Vertices) && !shows(render::FilterSource::Atlas)) {
         return;
     }

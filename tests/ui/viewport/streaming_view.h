@@ -75,7 +75,7 @@ struct StreamingView
         offscreen.bind();
         scene.surface.filtering = filtering;
         renderer->wantFilterings(std::array{filtering});
-        streaming.showTexels(render::sourceOf(filtering) != render::FilterSource::Vertices);
+        streaming.showTexels(render::readsTexels(filtering));
         if (!filterMesh) {
             filterMesh = std::make_shared<const render::FilterMesh>(
                 project.surface->mesh(), project.surface->adjacency(), project.texels);

@@ -37,6 +37,8 @@ QImage allVertices(StreamingView& view)
     whole.filter(view.scene.surface.filtering);
     whole.scene = view.scene;
     const Filtering filtering = view.scene.surface.filtering;
+    whole.frame();
+    whole.finish();
     render::prepareFilterings(*whole.renderer, whole.project.texels, std::span(&filtering, 1));
     return whole.offscreen.draw(*whole.renderer, whole.scene);
 }
