@@ -3,6 +3,7 @@
 #include <QAbstractItemModelTester>
 #include <QApplication>
 #include <QCheckBox>
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QImage>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QThreadPool>
 
 #include "core/io/ptx_faces.h"
 #include "core/lattice/reduction.h"
@@ -432,6 +434,34 @@ private slots:
         QTest::qWait(150);
         QCOMPARE(m_panel->focus().levels()->base().log2(), 3);
         QVERIFY(!m_panel->focus().fileBytes(Level(5)).has_value());
+    }
+
+    void aPointerOnItsWayMeasuresNoFace()
+    {
+        const QThreadPool& pool = *QThreadPool::globalInstance();
+        QTRY_COMPARE(pool.activeThreadCount(), 0);
+        for (const std::uint32_t face : {2U, 1U, 2U, 0U, 2U}) {
+            pointAt(face, {});
+            QCOMPARE(pool.activeThreadCount(), 0);
+        }
+        QTRY_VERIFY(m_panel->focus().isMeasured()); // where it rests
+    }
+
+    void workForAFaceThatWasLeftIsNotShown()
+    {
+        const QThreadPool& pool = *QThreadPool::globalInstance();
+        QTRY_COMPARE(pool.activeThreadCount(), 0);
+        pointAt(2, {});
+        QDeadlineTimer patience(5000);
+        while (pool.activeThreadCount() == 0 && !patience.hasExpired()) {
+            QCoreApplication::processEvents();
+        }
+        QVERIFY(m_panel->focus().levels() == nullptr); // it is being reduced
+        m_panel->hide();
+        QTRY_COMPARE(pool.activeThreadCount(), 0);
+        QCoreApplication::processEvents();
+        QVERIFY(m_panel->focus().levels() == nullptr);
+        QVERIFY(!m_panel->focus().fileBytes(Level(0)).has_value());
     }
 
     void paintingShowsAtOnce()
