@@ -3,6 +3,8 @@
 // Atlases and meshes with uvs, out of the built program and back.
 #include "tests/app/cli_test.h"
 
+#include <cmath>
+
 namespace trixel::test {
 namespace {
 
@@ -142,6 +144,84 @@ TEST_F(CliExport, paintGoesOverToAnotherMesh)
                            "magic"}),
                 FailsWith(2, "--method"));
     EXPECT_THAT(files(), testing::Not(testing::Contains("no.trixel")));
+}
+
+/// The bunny with a picture on it and a stroke over that, out every way and back.
+class PaintedBunny : public CliExport
+{
+protected:
+    void SetUp() override
+    {
+        CliExport::SetUp();
+        ASSERT_TRUE(std::filesystem::exists(kBunny)) << "glmark2-data has the bunny";
+        ASSERT_THAT(runTrixel({"new", kBunny, "-o", path("plain.trixel"), "--level", "2"}),
+                    EndsWith(0));
+        ASSERT_THAT(runTrixel({"bake",
+                               path("plain.trixel"),
+                               "--map",
+                               "sphere",
+                               "--image",
+                               "/usr/share/mujoco/model/mug/mug.png",
+                               "-o",
+                               path("pictured.trixel")}),
+                    EndsWith(0));
+        ASSERT_THAT(runTrixel({"paint",
+                               path("pictured.trixel"),
+                               "--strokes",
+                               strokes(),
+                               "-o",
+                               path("bunny.trixel")}),
+                    EndsWith(0));
+        exportTo("bunny.ptx");
+    }
+
+    void exportTo(const std::string& name, const std::string& project = "bunny.trixel") const
+    {
+        ASSERT_THAT(runTrixel({"export", path(project), "-o", path(name)}), EndsWith(0)) << name;
+    }
+    /// Between `bunny.ptx` and that file.
+    nlohmann::json differenceTo(const std::string& ptx) const
+    {
+        return jsonOf(runTrixel({"diff", path("bunny.ptx"), path(ptx), "--json"}).out);
+    }
+
+    static constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
+};
+
+TEST_F(PaintedBunny, comesBackFromAPtxAndFromAPackedAtlasToTheBit)
+{
+    exportTo("plain.ptx", "plain.trixel");
+    ASSERT_GT(differenceTo("plain.ptx")["faces"].size(), 10'000U); // it is painted
+    exportTo("again.ptx", "bunny.ptx");
+    EXPECT_THAT(differenceTo("again.ptx")["faces"], testing::IsEmpty());
+    exportTo("atlas.exr");
+    ASSERT_THAT(
+        runTrixel({"new", kBunny, "-o", path("back.trixel"), "--atlas", path("atlas.json")}),
+        EndsWith(0));
+    exportTo("back.ptx", "back.trixel");
+    EXPECT_THAT(differenceTo("back.ptx")["faces"], testing::IsEmpty());
+}
+
+/// Any program that has uvs and bilinear filtering is as good as the one that bakes here.
+TEST_F(PaintedBunny, comesBackFromAMeshWithUvsAsItWasSeen)
+{
+    exportTo("bunny.glb");
+    EXPECT_EQ(contentsOf(path("bunny.glb")).substr(0, 4), "glTF");
+    exportTo("bunny.obj");
+    ASSERT_THAT(runTrixel({"new", path("bunny.obj"), "-o", path("empty.trixel"), "--level", "2"}),
+                EndsWith(0));
+    ASSERT_THAT(runTrixel({"bake",
+                           path("empty.trixel"),
+                           "--image",
+                           path("bunny.png"),
+                           "--lookup",
+                           "bilinear",
+                           "-o",
+                           path("back.trixel")}),
+                EndsWith(0));
+    exportTo("back.ptx", "back.trixel");
+    const double rms = differenceTo("back.ptx")["rms"];
+    EXPECT_GE(-20 * std::log10(rms), 40);
 }
 
 } // namespace

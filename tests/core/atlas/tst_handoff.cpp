@@ -2,6 +2,7 @@
 #include "core/atlas/handoff_pages.h"
 #include "core/atlas/handoff_sample_points.h"
 #include "core/study/solid_texture.h"
+#include "core/study/views/view_queries.h"
 #include "tests/core/atlas/atlas_pages.h"
 #include "tests/core/cancel_after.h"
 #include "tests/core/filter/filter_scenes.h"
@@ -209,6 +210,46 @@ TEST(HandOff, contentIsShownAsExactDoesEvenInEightBits)
                        TexelType::UInt8);
     EXPECT_GE(even.psnr(4000, 3), 45);
     EXPECT_LE(255 * even.jump(), 2);
+}
+
+/// What a camera sees of a mesh through its atlas against what `exact` answers for the same pixels,
+/// in decibels over the first channels.
+double picturePsnr(const TriangleMesh& mesh,
+                   const HandOff& handOff,
+                   const ViewCamera& camera,
+                   std::size_t channels)
+{
+    NoProgress progress;
+    const auto surface = *Surface::build(mesh, progress);
+    const ViewQueries seen = *viewQueries(*surface, camera, {}, Threads{2}, progress);
+    const FilterQueries queries = seen.queries.queries();
+    ResultArrays exact(queries.size(), handOff.scene.channels());
+    filterParallel(
+        *makeMethod({"exact", std::nullopt}), handOff.scene, queries, exact.results(), Threads{2});
+    double sum = 0;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const auto shown = handOff.value(queries.face[k], {queries.u[k], queries.v[k]});
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double apart = double(shown[c]) - exact.values[c * queries.size() + k];
+            sum += apart * apart;
+        }
+    }
+    EXPECT_GT(queries.size(), 50'000U);
+    return -10 * std::log10(sum / double(channels * queries.size()));
+}
+
+TEST(HandOff, picturesShowWhatExactRenders)
+{
+    const TriangleMesh mesh = closedIrregular(5, 8);
+    for (const bool mixed : {false, true}) {
+        const FaceMap<Level> levels = mixed ? mixedLevels(mesh.faceCount(), 4, 6, 2)
+                                            : FaceMap<Level>(mesh.faceCount(), Level(5));
+        const HandOff handOff(mesh, natural(mesh, levels), HandOffOptions{}, TexelType::UInt8);
+        ViewCamera camera;
+        camera.width = camera.height = 512;
+        EXPECT_GE(picturePsnr(mesh, handOff, camera, 2), 60);
+        EXPECT_GE(picturePsnr(mesh, handOff, camera, 3), 40); // hard edges, too
+    }
 }
 
 /// Small faces next to hard edges: three pixels go on to beyond 1, which eight bits cannot hold.
