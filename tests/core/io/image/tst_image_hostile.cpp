@@ -217,6 +217,19 @@ TEST_F(HostileImages, aDecoderThatLiesIsNotBelieved)
     EXPECT_THAT(refusedBy("echo '" + answer + "' >&5\n"), HasSubstr("handed over 0 bytes"));
     EXPECT_THAT(refusedBy("echo '" + answer + "' >&5; echo 12345 >&4\n"),
                 HasSubstr("handed over 6 bytes, expected 192"));
+    // As many bytes as it says; a width that wraps round to 8; opacity where no channel is.
+    const auto changed = [&](const std::string& from, const std::string& to) {
+        std::string lie = answer;
+        lie.replace(lie.find(from), from.size(), to);
+        return "head -c 192 /dev/zero >&4; echo '" + lie + "' >&5\n";
+    };
+    EXPECT_EQ(refusedBy(changed("8", "8")), "accepted");
+    EXPECT_THAT(refusedBy(changed("8", "4294967304")), HasSubstr("answers nonsense"));
+    EXPECT_THAT(refusedBy(changed("-1", "3")), HasSubstr("answers nonsense"));
+    EXPECT_THAT(refusedBy(changed("\"channels\":3", "\"channels\":65")),
+                HasSubstr("answers nonsense"));
+    EXPECT_EQ(refusedBy(changed("raw,raw,raw", "linear,linear")), "accepted");
+    EXPECT_EQ(read(path)->colors(), std::vector<ColorSpace>(3, ColorSpace::SRgb));
     EXPECT_THAT(refusedBy("echo '{\"width\":1e9}' >&5\n"), HasSubstr("answers nonsense"));
     EXPECT_THAT(refusedBy("echo '{\"width\":\"a\"}' >&5\n"), HasSubstr("answers nonsense"));
     EXPECT_THAT(refusedBy("echo 'no json' >&5\n"), HasSubstr("its decoder failed"));
