@@ -199,10 +199,19 @@ TEST(ProjectionTest, unusableQuadsAreRefusedInASentence)
                 HasSubstr("on a line"));
     EXPECT_THAT(refused({glm::dvec3(0, 0, 0), {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}),
                 HasSubstr("bends inwards"));
+    // A bow-tie whose halves cancel, seen from nowhere as an area.
+    EXPECT_THAT(refused({glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+                HasSubstr("crosses itself"));
     EXPECT_THAT(refused({glm::dvec3(NAN, 0, 0), {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}),
                 testing::Ne("accepted"));
     EXPECT_EQ(refused({glm::dvec3(0, 0, 0), {0, 1, 0}, {1, 1, 0.1}, {1, 0, 0}}), "accepted");
-    EXPECT_FALSE(checkQuad({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+    const auto flatRefused = [](const Quad& quad) {
+        const Status usable = checkQuad(quad);
+        return usable ? std::string("accepted") : usable.error().message;
+    };
+    EXPECT_THAT(flatRefused({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), HasSubstr("crosses itself"));
+    EXPECT_THAT(flatRefused({{0, 0}, {1, 1}, {2, 2}, {3, 3}}), HasSubstr("four corners lie on"));
+    EXPECT_THAT(flatRefused({{0, 0}, {INFINITY, 1}, {2, 2}, {3, 3}}), HasSubstr("is nowhere"));
 }
 
 glm::dmat4 cameraAt(glm::dvec3 position)

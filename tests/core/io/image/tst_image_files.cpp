@@ -207,6 +207,33 @@ TEST_F(ImageFiles, renderersTakeTheTextures)
     }
 }
 
+/// The library's own tool reads every pixel and finds the values that were written.
+TEST_F(ImageFiles, oiiotoolCountsTheTexturesPixels)
+{
+    if (std::system("oiiotool --version >/dev/null 2>&1") != 0) {
+        GTEST_SKIP() << "openimageio-tools is not installed";
+    }
+    for (const auto& [name, type] :
+         {std::pair("a.tx", TexelType::UInt8), {"b.tx", TexelType::Float}}) {
+        const Image image = wavyImage(96, 64, type, 3, ColorSpace::Linear);
+        ASSERT_TRUE(write(at(name), imageLevels(image, Threads{2})));
+        const std::string command =
+            "oiiotool --stats '" + at(name).string() + "' > '" + at("stats").string() + "' 2>&1";
+        ASSERT_EQ(std::system(command.c_str()), 0);
+        const std::string stats = bytesOf(at("stats"));
+        EXPECT_THAT(stats, testing::HasSubstr("FiniteCount: 6144 6144 6144")) << name;
+        std::vector<float> values(3U * 6144U);
+        decode(type, image.pixels(), values);
+        double sum = 0;
+        for (std::size_t k = 0; k < values.size(); k += 3) {
+            sum += static_cast<double>(values[k]);
+        }
+        const double unit = type == TexelType::UInt8 ? 255 : 1;
+        const std::string average = stats.substr(stats.find("Stats Avg: ") + 11);
+        EXPECT_NEAR(std::stod(average), unit * sum / 6144, 0.006 * unit) << name;
+    }
+}
+
 TEST_F(ImageFiles, writingRefusesWhatAFormatCannotHold)
 {
     const struct
