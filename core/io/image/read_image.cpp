@@ -104,14 +104,7 @@ Status checkEnd(const OpenedImage& opened)
 }
 
 /// What the decoder says of its pixels, which it may not have been itself when it said so.
-struct Facts
-{
-    int width = 0, height = 0;
-    TexelFormat format;
-    std::vector<ColorSpace> colors;
-};
-
-Result<Facts> factsOf(const nlohmann::json& answer, const ImageLimits& limits)
+Result<DecodedImage> factsOf(const nlohmann::json& answer, const ImageLimits& limits)
 {
     const auto bad = [] { return contentsError("it is damaged: its decoder answers nonsense"); };
     const auto whole = [&](const char* key) {
@@ -132,10 +125,11 @@ Result<Facts> factsOf(const nlohmann::json& answer, const ImageLimits& limits)
         alpha < -1 || alpha >= channels || !type) {
         return bad();
     }
-    Facts facts{static_cast<int>(width),
-                static_cast<int>(height),
-                {*type, static_cast<std::uint16_t>(channels), std::nullopt},
-                {}};
+    DecodedImage facts{static_cast<int>(width),
+                       static_cast<int>(height),
+                       {*type, static_cast<std::uint16_t>(channels), std::nullopt},
+                       {},
+                       {}};
     if (alpha >= 0) {
         facts.format.alpha = static_cast<std::uint16_t>(alpha);
     }
@@ -150,11 +144,17 @@ Result<Facts> factsOf(const nlohmann::json& answer, const ImageLimits& limits)
     return facts;
 }
 
-Result<Image> decoded(const ImageWorker& worker,
-                      const OpenedImage& opened,
-                      bool keepsAlpha,
-                      Progress& progress,
-                      const ImageLimits& limits)
+std::uint64_t pixelBytes(const TexelFormat& format, int width, int height)
+{
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+           format.texelBytes();
+}
+
+Result<DecodedImage> decoded(const ImageWorker& worker,
+                             const OpenedImage& opened,
+                             const DecodeOptions& options,
+                             Progress& progress,
+                             const ImageLimits& limits)
 {
     const auto memory = makeJobMemory(0);
     if (!memory) {
@@ -163,33 +163,35 @@ Result<Image> decoded(const ImageWorker& worker,
     const nlohmann::json job{{"work", "decode"},
                              {"reader", readerOf(opened.kind)},
                              {"fileBytes", opened.bytes},
-                             {"keepsAlpha", keepsAlpha}};
+                             {"coarserLevels", options.coarserLevels},
+                             {"keepsAlpha", options.keepsAlpha}};
     const auto answer = worker.run(job, opened.file, *memory, limits, progress);
     if (!answer) {
         return tl::unexpected(answer.error());
     }
-    auto facts = factsOf(*answer, limits);
-    if (!facts) {
-        return tl::unexpected(facts.error());
+    auto image = factsOf(*answer, limits);
+    if (!image) {
+        return image;
     }
-    const std::uint64_t bytes = static_cast<std::uint64_t>(facts->width) *
-                                static_cast<std::uint64_t>(facts->height) *
-                                facts->format.texelBytes();
+    std::uint64_t bytes = pixelBytes(image->format, image->width, image->height);
+    for (const auto& [width, height] : options.coarserLevels) {
+        bytes += pixelBytes(image->format, width, height);
+    }
     auto pixels = mapSealed(*memory, bytes);
     if (!pixels) {
         return tl::unexpected(pixels.error());
     }
-    return Image::adopt(
-        facts->width, facts->height, facts->format, std::move(facts->colors), std::move(*pixels));
+    image->pixels = std::move(*pixels);
+    return image;
 }
 
 } // namespace
 
-Result<Image> decodeImageFile(const ImageWorker& worker,
-                              const fs::path& path,
-                              bool keepsAlpha,
-                              Progress& progress,
-                              const ImageLimits& limits)
+Result<DecodedImage> decodeImageFile(const ImageWorker& worker,
+                                     const fs::path& path,
+                                     const DecodeOptions& options,
+                                     Progress& progress,
+                                     const ImageLimits& limits)
 {
     const auto opened = open(path);
     if (!opened) {
@@ -198,7 +200,7 @@ Result<Image> decodeImageFile(const ImageWorker& worker,
     if (const Status end = checkEnd(*opened); !end) {
         return inFile(path, end.error());
     }
-    auto image = decoded(worker, *opened, keepsAlpha, progress, limits);
+    auto image = decoded(worker, *opened, options, progress, limits);
     return image ? std::move(image) : inFile(path, image.error());
 }
 
@@ -207,7 +209,15 @@ Result<Image> readImage(const ImageWorker& worker,
                         Progress& progress,
                         const ImageLimits& limits)
 {
-    return decodeImageFile(worker, path, false, progress, limits);
+    auto image = decodeImageFile(worker, path, {}, progress, limits);
+    if (!image) {
+        return tl::unexpected(image.error());
+    }
+    return Image::adopt(image->width,
+                        image->height,
+                        image->format,
+                        std::move(image->colors),
+                        std::move(image->pixels));
 }
 
 } // namespace trixel

@@ -129,7 +129,7 @@ struct Payload
 {
     Descriptor memory;
     std::shared_ptr<std::byte> bytes;
-    std::size_t firstLevel = 0; ///< bytes of the largest
+    std::uint64_t size = 0;
 };
 
 Result<Payload> payloadOf(std::span<const Image> levels, bool multiply)
@@ -154,7 +154,7 @@ Result<Payload> payloadOf(std::span<const Image> levels, bool multiply)
     if (multiply) {
         multiplyByAlpha(levels.front().format(), {bytes->get(), total});
     }
-    return Payload{std::move(*memory), std::move(*bytes), levels.front().byteCount()};
+    return Payload{std::move(*memory), std::move(*bytes), total};
 }
 
 Status copyInto(FileWriter& file, const Descriptor& encoded, Progress& progress)
@@ -173,27 +173,33 @@ Status copyInto(FileWriter& file, const Descriptor& encoded, Progress& progress)
     return file.write(std::span<const std::byte>(bytes->get(), *size));
 }
 
+/// All levels: a renderer sees the coarser ones more often than the image itself.
 Status compare(const ImageWorker& worker,
                const fs::path& written,
-               const Image& image,
+               std::span<const Image> levels,
                const Payload& payload,
                Progress& progress)
 {
+    const Image& image = levels.front();
     ImageLimits own; // our own file: as large as it is
-    own.mostBytes = image.byteCount();
-    own.memoryBytes = std::max<std::uint64_t>(own.memoryBytes, 3 * image.byteCount());
+    own.mostBytes = payload.size;
+    own.memoryBytes = std::max<std::uint64_t>(own.memoryBytes, 3 * payload.size);
     own.mostChannels = image.format().channels;
     own.mostBytesPerByte = ~std::uint64_t{0};
     own.processorTime = own.wallTime = std::chrono::seconds(3600);
-    const auto back = decodeImageFile(worker, written, true, progress, own);
+    DecodeOptions options;
+    options.keepsAlpha = true;
+    for (const Image& level : levels.subspan(1)) {
+        options.coarserLevels.push_back({level.width(), level.height()});
+    }
+    const auto back = decodeImageFile(worker, written, options, progress, own);
     if (!back) {
         return tl::unexpected(back.error());
     }
-    const bool same =
-        back->width() == image.width() && back->height() == image.height() &&
-        back->format().type == image.format().type &&
-        back->format().channels == image.format().channels &&
-        std::memcmp(back->pixels().data(), payload.bytes.get(), payload.firstLevel) == 0;
+    const bool same = back->width == image.width() && back->height == image.height() &&
+                      back->format.type == image.format().type &&
+                      back->format.channels == image.format().channels &&
+                      std::memcmp(back->pixels.get(), payload.bytes.get(), payload.size) == 0;
     return same ? Status() : contentsError("other pixels");
 }
 
@@ -277,7 +283,7 @@ Status writeImage(const ImageWorker& worker,
         path,
         [&](FileWriter& file) { return inFile(path, copyInto(file, *encoded, encoding)); },
         [&](const fs::path& written) {
-            return compare(worker, written, image, *payload, verifying);
+            return compare(worker, written, levels, *payload, verifying);
         });
 }
 

@@ -4,6 +4,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -134,8 +135,39 @@ std::byte* outputMemory(std::uint64_t bytes)
 
 void readPixels(ImageInput& input, int channels, TypeDesc type, std::byte* pixels)
 {
-    if (!input.read_image(0, 0, 0, channels, type, pixels)) {
+    if (!input.read_image(0, input.current_miplevel(), 0, channels, type, pixels)) {
         fail(complaint(input));
+    }
+}
+
+using LevelSizes = std::vector<std::array<int, 2>>;
+
+std::size_t pixelsOf(const LevelSizes& levels)
+{
+    std::size_t pixels = 0;
+    for (const auto& [width, height] : levels) {
+        pixels += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    }
+    return pixels;
+}
+
+/// Levels 1 and on, one behind the other.
+void readCoarser(ImageInput& input, const LevelSizes& levels, TypeDesc type, std::byte* pixels)
+{
+    const int channels = input.spec().nchannels;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        const auto [width, height] = levels[k];
+        if (!input.seek_subimage(0, static_cast<int>(k) + 1)) {
+            fail("it has no level " + std::to_string(k + 1));
+        }
+        const ImageSpec& spec = input.spec();
+        if (spec.width != width || spec.height != height || spec.nchannels != channels) {
+            fail("its level " + std::to_string(k + 1) + " is " + number(spec.width) + " × " +
+                 number(spec.height) + " pixels, expected " + number(width) + " × " +
+                 number(height));
+        }
+        readPixels(input, channels, type, pixels);
+        pixels += spec.image_pixels() * static_cast<std::size_t>(channels) * type.size();
     }
 }
 
@@ -279,7 +311,8 @@ nlohmann::json decodeImage(const nlohmann::json& job)
     const std::size_t pixelBytes = type.size() * static_cast<std::size_t>(spec.nchannels);
     const std::size_t shownPixels =
         static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    std::byte* shown = outputMemory(shownPixels * pixelBytes);
+    const LevelSizes coarser = job.at("coarserLevels").get<LevelSizes>();
+    std::byte* shown = outputMemory((shownPixels + pixelsOf(coarser)) * pixelBytes);
     const bool moves = orientation != 1 || spec.x != frame.x || spec.y != frame.y ||
                        spec.width != frame.width || spec.height != frame.height;
     if (moves) {
@@ -293,6 +326,7 @@ nlohmann::json decodeImage(const nlohmann::json& job)
     if (isMultiplied(spec) && !job.at("keepsAlpha").get<bool>()) {
         divideByAlpha(type, shown, shownPixels, spec.nchannels, spec.alpha_channel);
     }
+    readCoarser(*input, coarser, type, shown + shownPixels * pixelBytes);
     const bool turned = orientation >= 5;
     return {{"width", turned ? frame.height : frame.width},
             {"height", turned ? frame.width : frame.height},

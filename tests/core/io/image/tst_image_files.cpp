@@ -234,6 +234,22 @@ TEST_F(ImageFiles, oiiotoolCountsTheTexturesPixels)
     }
 }
 
+/// An encoder that writes the second level as high as it should be wide.
+TEST_F(ImageFiles, aWrongLevelTakesNoName)
+{
+    const Image image = wavyImage(96, 64, TexelType::UInt8, 3);
+    const auto levels = imageLevels(image, Threads{2});
+    std::ofstream(at("clumsy")) << "#!/bin/sh\nexec " TRIXEL_IMAGE_WORKER
+                                   " \"$(printf %s \"$1\" | sed '/encode/s/\\[48,32\\]/[32,48]/')\"\n";
+    std::filesystem::permissions(at("clumsy"), std::filesystem::perms::owner_all);
+    worker = ImageWorker(at("clumsy"));
+    const Status written = write(at("a.tx"), levels);
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.error().message, testing::HasSubstr("level 1 is 32 × 48"));
+    EXPECT_FALSE(std::filesystem::exists(at("a.tx")));
+    EXPECT_TRUE(write(at("b.tx"), {&image, 1}));
+}
+
 TEST_F(ImageFiles, writingRefusesWhatAFormatCannotHold)
 {
     const struct
