@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The stops at what the graphics card filters, and at the limit surface.
+#include <QCheckBox>
+
 #include "app/tour/stops.h"
 #include "ui/viewport/crease_bar.h"
 #include "ui/viewport/frame_hud.h"
@@ -76,7 +78,15 @@ Status Stops::chosenCreases()
         !asked) {
         return asked;
     }
-    const Status taken = pictureOf(*bar, "creases");
+    auto* isOn = bar->findChild<QCheckBox*>();
+    m_input.press(*isOn, Qt::Key_Space);
+    m_window.viewport().settle();
+    if (Status kept = expect(m_window.document().creaseAngle().has_value(), "Space keeps edges");
+        !kept) {
+        return kept;
+    }
+    const Status taken = picture("creases");
+    m_input.press(*isOn, Qt::Key_Space);
     m_input.press(*bar, Qt::Key_Escape);
     return taken;
 }
