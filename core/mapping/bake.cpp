@@ -5,12 +5,15 @@
 #include "core/lattice/texel.h"
 #include "core/mapping/bake_channels.h"
 #include "core/mesh/shared_progress.h"
+#include "core/texture/pinned_face.h"
 
 #include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace trixel {
 
@@ -59,14 +62,6 @@ runsOf(std::span<const Piece> pieces, const TexelStore& store, std::span<const F
     return begins;
 }
 
-/// What a face becomes, made by several threads that each fill rows of their own.
-struct MadeFace
-{
-    std::once_flag allocated;
-    std::vector<std::byte> texels;
-    std::atomic<std::uint32_t> reached{0}; ///< texels that the image lies on
-};
-
 class PieceBaker
 {
 public:
@@ -85,50 +80,70 @@ public:
     {
     }
 
-    /// Fills `texels`, those of the rows, and returns how many of them the image lies on.
-    std::uint32_t bake(FaceId face,
-                       const FaceTexels& before,
-                       std::uint32_t firstTexel,
-                       std::span<std::byte> texels)
+    /// Makes the texels of some rows. Returns nothing where the image lies on none of them, which
+    /// then are not read either.
+    std::vector<std::byte> bake(FaceId face, const FaceTexels& before, const Piece& piece)
     {
         const Level level = before.level();
         const double step = 1.0 / level.resolution();
         const std::size_t bytes = m_format.texelBytes();
-        std::uint32_t reached = 0;
-        for (std::size_t k = 0; k < texels.size() / bytes; ++k) {
-            const auto texel = TexelIndex{firstTexel + static_cast<std::uint32_t>(k)};
-            const auto stored = before.texel(indexOf(texel));
-            const auto target = texels.subspan(k * bytes, bytes);
+        const std::size_t first = std::size_t{piece.firstRow} * level.resolution();
+        const std::size_t count = std::size_t{piece.rows} * level.resolution();
+        std::vector<std::byte> texels;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto texel = TexelIndex{static_cast<std::uint32_t>(first + k)};
             const ImagePlace place =
                 m_mapping.at(face, centroid(level, texelAt(level, texel)), step);
-            if (place.lands && lay(place, stored, target)) {
-                ++reached;
-            } else {
-                std::copy(stored.begin(), stored.end(), target.begin());
+            if (!place.lands || !look(place)) {
+                continue;
             }
+            if (texels.empty()) {
+                texels = texelsOf(face, before, first, count);
+            }
+            lay(std::span(texels).subspan(k * bytes, bytes));
         }
-        return reached;
+        return texels;
     }
 
+    /// The first of the faces met that could not be read from its file.
+    std::optional<FaceId> unreadable() const { return m_unreadable; }
+
 private:
-    bool
-    lay(const ImagePlace& place, std::span<const std::byte> stored, std::span<std::byte> target)
+    /// Takes the image's colours at a place; false where it lets everything through.
+    bool look(const ImagePlace& place)
     {
-        float opacity = 0;
         for (std::size_t group = 0; group < m_images.groups(); ++group) {
             const glm::vec4 value = m_images.at(place.st, place.footprint, group);
             for (int c = 0; c < 3; ++c) {
                 m_colors[3 * group + static_cast<std::size_t>(c)] = value[c] * m_opacity;
             }
-            opacity = value.a * m_opacity;
+            m_seen = value.a * m_opacity;
         }
-        if (!(opacity > 0)) {
-            return false;
+        return m_seen > 0;
+    }
+
+    /// Lays the colours that were looked at over a texel.
+    void lay(std::span<std::byte> texel)
+    {
+        decode(m_format.type, texel, m_values);
+        m_channels.lay(m_colors, m_seen, m_values);
+        encode(m_format.type, m_values, texel);
+    }
+
+    std::vector<std::byte>
+    texelsOf(FaceId face, const FaceTexels& before, std::size_t first, std::size_t count)
+    {
+        const PinnedFace pinned(before);
+        if (pinned->isDamaged() && !m_unreadable) {
+            m_unreadable = face;
         }
-        decode(m_format.type, stored, m_values);
-        m_channels.lay(m_colors, opacity, m_values);
-        encode(m_format.type, m_values, target);
-        return true;
+        std::vector<std::byte> texels;
+        texels.reserve(count * m_format.texelBytes());
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto texel = pinned->texel(first + k);
+            texels.insert(texels.end(), texel.begin(), texel.end());
+        }
+        return texels;
     }
 
     const Mapping& m_mapping;
@@ -136,25 +151,11 @@ private:
     const BakeChannels& m_channels;
     TexelFormat m_format;
     float m_opacity;
-    std::vector<float> m_values, m_colors;
+    std::vector<float> m_values;
+    std::vector<float> m_colors; ///< at the place looked at, times `m_seen`
+    float m_seen = 0;            ///< opacity there
+    std::optional<FaceId> m_unreadable;
 };
-
-/// Faces that lie in a file are read once, not by every thread that bakes a piece of them.
-Status readAll(const TexelStore& store, std::span<const FaceId> faces)
-{
-    for (const FaceId face : faces) {
-        const FaceTexels& texels = store.face(face);
-        if (texels.isStored()) {
-            (void)texels.bytes();
-            if (texels.isDamaged()) {
-                return contentsError("face " + std::to_string(indexOf(face)) +
-                                     " could not be read from its file; fill it before an image "
-                                     "is laid onto it");
-            }
-        }
-    }
-    return {};
-}
 
 /// Makes every face, as far as the image reaches it.
 class FaceBaker
@@ -163,7 +164,8 @@ public:
     FaceBaker(const TexelStore& store, std::span<const FaceId> faces)
         : m_store(store)
         , m_faces(faces)
-        , m_made(faces.size())
+        , m_pieces(piecesOf(store, faces))
+        , m_made(m_pieces.size())
     {
     }
 
@@ -173,8 +175,7 @@ public:
                 Progress& progress)
     {
         const BakeChannels channels(m_store.format(), options.colors, images.colors());
-        const std::vector<Piece> pieces = piecesOf(m_store, m_faces);
-        const std::vector<std::size_t> runs = runsOf(pieces, m_store, m_faces);
+        const std::vector<std::size_t> runs = runsOf(m_pieces, m_store, m_faces);
         SharedProgress shared(progress, runs.size());
         std::atomic<bool> outOfMemory{false};
         parallelFor(runs.size() - 1, 1, options.threads, [&](std::size_t begin, std::size_t end) {
@@ -182,10 +183,12 @@ public:
                 PieceBaker baker(mapping, images, channels, m_store.format(), options.opacity);
                 for (std::size_t r = begin; r < end && shared.goesOn(); ++r) {
                     for (std::size_t p = runs[r]; p < runs[r + 1]; ++p) {
-                        makePiece(baker, pieces[p]);
+                        const FaceId face = m_faces[m_pieces[p].number];
+                        m_made[p] = baker.bake(face, m_store.face(face), m_pieces[p]);
                     }
                     shared.step();
                 }
+                note(baker.unreadable());
             } catch (const std::bad_alloc&) { // must not leave its thread
                 outOfMemory = true;
             }
@@ -193,53 +196,73 @@ public:
         if (outOfMemory) {
             return contentsError("the texels do not fit into memory");
         }
-        return shared.goesOn() ? Status() : cancelled();
-    }
-
-    bool reachesAny() const
-    {
-        return std::any_of(
-            m_made.begin(), m_made.end(), [](const MadeFace& face) { return face.reached > 0; });
-    }
-
-    TexelPatch exchange(TexelStore& store)
-    {
-        TexelPatch patch;
-        for (std::size_t k = 0; k < m_faces.size(); ++k) {
-            if (m_made[k].reached == 0) {
-                continue;
-            }
-            const Level level = store.face(m_faces[k]).level();
-            const FaceTexels after =
-                FaceTexels::full(level, store.format().texelBytes(), m_made[k].texels);
-            m_made[k].texels = {};
-            patch.addFace(m_faces[k], store.exchange(m_faces[k], after.collapsed()));
+        if (!shared.goesOn()) {
+            return cancelled();
         }
-        return patch;
+        return m_unreadable ? Status(contentsError(
+                                  "face " + std::to_string(indexOf(*m_unreadable)) +
+                                  " could not be read from its file; fill it before an image is "
+                                  "laid onto it"))
+                            : Status();
+    }
+
+    /// The faces that the image reaches, whole.
+    Result<std::vector<std::pair<FaceId, FaceTexels>>> assembled()
+    {
+        std::vector<std::pair<FaceId, FaceTexels>> faces;
+        try {
+            std::size_t p = 0;
+            while (p < m_pieces.size()) {
+                std::size_t end = p;
+                while (end < m_pieces.size() && m_pieces[end].number == m_pieces[p].number) {
+                    ++end;
+                }
+                if (std::any_of(m_made.begin() + static_cast<std::ptrdiff_t>(p),
+                                m_made.begin() + static_cast<std::ptrdiff_t>(end),
+                                [](const auto& texels) { return !texels.empty(); })) {
+                    faces.emplace_back(m_faces[m_pieces[p].number], assembled(p, end));
+                }
+                p = end;
+            }
+        } catch (const std::bad_alloc&) {
+            return contentsError("the texels do not fit into memory");
+        }
+        return faces;
     }
 
 private:
-    void makePiece(PieceBaker& baker, const Piece& piece)
+    void note(std::optional<FaceId> unreadable)
     {
-        const FaceId face = m_faces[piece.number];
-        const FaceTexels& before = m_store.face(face);
-        const std::uint32_t width = before.level().resolution();
-        const std::size_t rowBytes = width * m_store.format().texelBytes();
-        MadeFace& made = m_made[piece.number];
-        std::call_once(made.allocated, [&] { made.texels.resize(width * rowBytes); });
-        made.reached += baker.bake(
-            face,
-            before,
-            piece.firstRow * width,
-            std::span(made.texels).subspan(piece.firstRow * rowBytes, piece.rows * rowBytes));
-        if (piece.rows == width && made.reached == 0) {
-            made.texels = {}; // a whole face that the image does not reach
+        const std::lock_guard lock(m_mutex);
+        if (unreadable && (!m_unreadable || indexOf(*unreadable) < indexOf(*m_unreadable))) {
+            m_unreadable = unreadable;
         }
+    }
+
+    /// \param first, end  the pieces of one face
+    FaceTexels assembled(std::size_t first, std::size_t end)
+    {
+        FaceTexels face = m_store.face(m_faces[m_pieces[first].number]).pinned();
+        const std::size_t rowBytes = face.level().resolution() * face.texelBytes();
+        const std::span<std::byte> texels = face.writable();
+        for (std::size_t p = first; p < end; ++p) {
+            std::copy(m_made[p].begin(),
+                      m_made[p].end(),
+                      texels.begin() +
+                          static_cast<std::ptrdiff_t>(m_pieces[p].firstRow * rowBytes));
+            m_made[p] = {};
+        }
+        return face.collapsed();
     }
 
     const TexelStore& m_store;
     std::span<const FaceId> m_faces;
-    std::vector<MadeFace> m_made;
+    std::vector<Piece> m_pieces; ///< those of a face one after the other
+    /// Texels of each piece, by threads that each fill pieces of their own; empty where the image
+    /// does not reach, so that memory is taken for what it reaches only.
+    std::vector<std::vector<std::byte>> m_made;
+    std::mutex m_mutex;
+    std::optional<FaceId> m_unreadable;
 };
 
 } // namespace
@@ -251,17 +274,22 @@ Result<TexelPatch> bake(TexelStore& store,
                         const BakeOptions& options,
                         Progress& progress)
 {
-    if (const Status read = readAll(store, faces); !read) {
-        return tl::unexpected(read.error());
-    }
     FaceBaker baker(store, faces);
     if (const Status made = baker.make(mapping, images, options, progress); !made) {
         return tl::unexpected(made.error());
     }
-    if (!baker.reachesAny()) {
+    auto after = baker.assembled();
+    if (!after) {
+        return tl::unexpected(after.error());
+    }
+    if (after->empty()) {
         return contentsError("the image reaches no texel");
     }
-    return baker.exchange(store);
+    TexelPatch patch;
+    for (auto& [face, texels] : *after) {
+        patch.addFace(face, store.exchange(face, std::move(texels)));
+    }
+    return patch;
 }
 
 } // namespace trixel

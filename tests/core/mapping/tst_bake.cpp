@@ -3,6 +3,7 @@
 #include "core/mapping/bake.h"
 #include "core/mapping/bake_channels.h"
 #include "core/mapping/projection.h"
+#include "core/texture/stored_faces.h"
 #include "tests/core/cancel_after.h"
 #include "tests/core/test_meshes.h"
 
@@ -189,6 +190,63 @@ TEST(BakeTest, onlyWhatTheImageReachesChanges)
     const auto none = bake(store, allFaces(store), off, image, {}, progress);
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().message, "the image reaches no texel");
+}
+
+/// A file whose faces are of one value, but for some that cannot be read.
+class PartlyDamaged final : public FaceReader
+{
+public:
+    explicit PartlyDamaged(FaceId from)
+        : m_from(from)
+    {
+    }
+    Result<bool> read(FaceId face, Level, std::span<std::byte> texels) const override
+    {
+        if (face >= m_from) {
+            return contentsError("cannot be read");
+        }
+        std::fill(texels.begin(), texels.end(), std::byte{7});
+        return true;
+    }
+    bool stores(FaceId, Level) const override { return false; }
+    std::span<const std::byte> mean(FaceId) const override { return m_mean; }
+
+private:
+    FaceId m_from;
+    std::array<std::byte, 3> m_mean{};
+};
+
+TEST(BakeTest, facesInAFileAreReadWhereTheImageLandsAndNowhereElse)
+{
+    const TriangleMesh mesh = test::gridMesh(8); // the last of 128 faces have y > 7/8
+    const TexelFormat format{TexelType::UInt8, 3, std::nullopt};
+    const Level level(8);
+    const auto image = tilesOf(imageOf(16, [](int, int, int) { return 1.0; }));
+    for (const std::uint32_t readable : {32U, 2U}) {
+        const auto stored =
+            StoredFaces::make(format, std::make_unique<PartlyDamaged>(faceId(readable)));
+        TexelStore store(128, format, level, std::vector<std::byte>(3));
+        for (std::uint32_t k = 0; k < 128; ++k) {
+            store.exchange(faceId(k), stored->face(faceId(k), level));
+        }
+        // A corner of the grid: faces 0 to 3 and 16 to 19.
+        const ProjectionMapping mapping(
+            mesh, planarProjection({0, 0, 1}, {0.2, 0, 0}, {0, 0.2, 0}).value(), nullptr);
+        NoProgress progress;
+        const auto patch = bake(store, allFaces(store), mapping, image, {}, progress);
+        if (readable == 32U) {
+            ASSERT_TRUE(patch) << patch.error().message;
+            EXPECT_EQ(store.face(faceId(0)).texel(0)[0], std::byte{255});
+            EXPECT_EQ(store.face(faceId(19)).texel(level.texelCount() - 1)[0], std::byte{7});
+            EXPECT_LE(stored->readBytes(), 20U * 3U * level.texelCount());
+            EXPECT_EQ(stored->heldBytes(), 0U);
+            EXPECT_EQ(stored->faultCount(), 0U);
+        } else {
+            ASSERT_FALSE(patch);
+            EXPECT_THAT(patch.error().message, HasSubstr("face 2 could not be read"));
+            EXPECT_FALSE(store.face(faceId(0)).isLoaded());
+        }
+    }
 }
 
 TEST(BakeTest, facesThatWereNotChosenStay)
