@@ -4,6 +4,7 @@
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/io/atlas/export_atlas.h"
+#include "core/io/channel_colors.h"
 #include "core/io/new_project.h"
 #include "core/mesh/mesh_reader.h"
 
@@ -104,12 +105,12 @@ filled(const Arguments& arguments, TriangleMesh mesh, const Texture& texture, Pr
 Result<Project> fromAtlas(const std::string& atlas, TriangleMesh mesh, Progress& progress)
 {
     StageProgress reading(progress, 0, 0.7);
-    auto texels = readPackedAtlas(ImageWorker(), atlas, Threads::all(), reading);
-    if (!texels) {
-        return tl::unexpected(texels.error());
+    auto read = readPackedAtlas(ImageWorker(), atlas, Threads::all(), reading);
+    if (!read) {
+        return tl::unexpected(read.error());
     }
-    if (texels->faceCount() != mesh.faceCount()) {
-        return contentsError(atlas + ": it has " + counted(texels->faceCount(), "face") +
+    if (read->texels.faceCount() != mesh.faceCount()) {
+        return contentsError(atlas + ": it has " + counted(read->texels.faceCount(), "face") +
                              ", the mesh " + grouped(mesh.faceCount()));
     }
     StageProgress building(progress, 0.7, 1);
@@ -117,7 +118,12 @@ Result<Project> fromAtlas(const std::string& atlas, TriangleMesh mesh, Progress&
     if (!surface) {
         return tl::unexpected(surface.error());
     }
-    return Project{std::move(*surface), std::move(*texels), {}};
+    Project project{std::move(*surface), std::move(read->texels), {}};
+    const TexelFormat& format = project.texels.format();
+    if (read->colors != usualColors(format)) {
+        declareChannelColors(project, read->colors);
+    }
+    return project;
 }
 
 Result<Outcome> makeNew(const Arguments& arguments, Progress& progress)

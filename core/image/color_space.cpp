@@ -81,4 +81,11 @@ uniformColors(ColorSpace space, std::uint16_t channels, const std::optional<std:
     return spaces;
 }
 
+std::vector<ColorSpace> usualColors(const TexelFormat& format)
+{
+    const bool integers = format.type == TexelType::UInt8 || format.type == TexelType::UInt16;
+    return uniformColors(
+        integers ? ColorSpace::SRgb : ColorSpace::Linear, format.channels, format.alpha);
+}
+
 } // namespace trixel

@@ -3,6 +3,8 @@
 // What the numbers of a channel mean. Whatever averages colours does it in linear light.
 #pragma once
 
+#include "core/texture/texel_format.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,5 +33,8 @@ float fromLinear(ColorSpace space, float linear);
 /// All channels of a texel or pixel in one space, but for its opacity, which is raw.
 std::vector<ColorSpace>
 uniformColors(ColorSpace space, std::uint16_t channels, const std::optional<std::uint16_t>& alpha);
+
+/// What channels mean where nothing says it: sRGB for integers, linear light for the others.
+std::vector<ColorSpace> usualColors(const TexelFormat& format);
 
 } // namespace trixel

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 namespace trixel {
 
@@ -199,6 +200,10 @@ parseFaces(const JsonFields& whole, AtlasBorder border, std::span<const AtlasPag
             return contentsError("faces: level, page, x and y are not as many");
         }
     }
+    std::uint64_t pixels = 0;
+    for (const AtlasPageFile& page : pages) {
+        pixels += std::uint64_t{page.size.width} * page.size.height;
+    }
     FaceMap<PackedFace> faces(levels->size());
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const Level level(static_cast<int>((*levels)[f]));
@@ -207,6 +212,13 @@ parseFaces(const JsonFields& whole, AtlasBorder border, std::span<const AtlasPag
         if ((*x)[f] + side > page.width || (*y)[f] + side > page.height) {
             return contentsError("faces: the tile of face " + std::to_string(f) +
                                  " does not lie on its page");
+        }
+        // Tiles of an atlas do not overlap; ones that did could stand for any number of texels.
+        if (const std::uint64_t area = std::uint64_t{side} * side; area <= pixels) {
+            pixels -= area;
+        } else {
+            return contentsError("faces: the tiles up to that of face " + std::to_string(f) +
+                                 " take more pixels than the pages have");
         }
         faces[faceId(f)] = {level, {(*numbers)[f], {(*x)[f], (*y)[f]}}};
     }
@@ -284,10 +296,14 @@ Result<AtlasDescription> parseAtlasDescription(std::string_view text)
         return tl::unexpected(colors.error());
     }
     atlas.colors = std::move(*colors);
+    std::set<std::string> names;
     for (const Json& page : **pages) {
         auto parsed = parsePage(page, atlas.pages.size());
         if (!parsed) {
             return tl::unexpected(parsed.error());
+        }
+        if (!names.insert(parsed->file).second) {
+            return contentsError("pages: two of them are '" + parsed->file + "'");
         }
         atlas.pages.push_back(std::move(*parsed));
     }

@@ -75,12 +75,19 @@ Status exportPackedAtlas(const ImageWorker& worker,
                          const PackedExportOptions& options,
                          Progress& progress);
 
-/// The faces of a packed atlas, in the type they had when it was written.
+/// What a packed atlas holds.
+struct ReadAtlas
+{
+    TexelStore texels;              ///< of the type they had when it was written
+    std::vector<ColorSpace> colors; ///< what each channel means
+};
+
+/// Takes the faces of a packed atlas back.
 /// \param path  of its JSON file. Errors name the file and the place.
-Result<TexelStore> readPackedAtlas(const ImageWorker& worker,
-                                   const std::filesystem::path& path,
-                                   Threads threads,
-                                   Progress& progress);
+Result<ReadAtlas> readPackedAtlas(const ImageWorker& worker,
+                                  const std::filesystem::path& path,
+                                  Threads threads,
+                                  Progress& progress);
 
 /// What `exportHandOff` would write.
 Result<AtlasEstimate> estimateHandOff(const std::filesystem::path& path,

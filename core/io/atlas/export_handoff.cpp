@@ -149,7 +149,10 @@ Status writeHandOff(const ImageWorker& worker,
     if (Status written = writePages(worker, paths, pages, writing, images); !written) {
         return written;
     }
-    const UvMesh uvMesh{project.surface->mesh(), uvsOf(plan.layout), plan.pageFiles};
+    const UvMesh uvMesh{project.surface->mesh(),
+                        uvsOf(plan.layout),
+                        plan.pageFiles,
+                        plan.kind.format.alpha.has_value()};
     StageProgress mesh(progress, 0.8, 1);
     switch (plan.mesh) {
     case MeshFile::Glb:

@@ -2,9 +2,10 @@
 #include "core/base/read_file.h"
 #include "core/io/atlas/atlas_description.h"
 #include "core/io/atlas/export_atlas.h"
-#include "core/io/image/read_image.h"
+#include "core/io/image/decode_image.h"
 #include "core/texture/convert.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trixel {
@@ -19,36 +20,42 @@ Result<Image> readPage(const ImageWorker& worker,
 {
     ImageLimits limits;
     limits.mostChannels = TexelFormat::kMaxChannels;
-    auto page = readImage(worker, path, progress, limits);
+    // As large as the description says, and no larger.
+    limits.mostBytes = std::uint64_t{size.width} * size.height * atlas.format.channels *
+                       byteSize(TexelType::Float);
+    limits.memoryBytes = std::max(limits.memoryBytes, 3 * limits.mostBytes);
+    auto page = decodeImageFile(worker, path, {}, progress, limits);
     if (!page) {
-        return page;
+        return tl::unexpected(page.error());
     }
     const auto found = [](std::int64_t width, std::int64_t height, int channels) {
         return std::to_string(width) + " × " + std::to_string(height) + " pixels of " +
                std::to_string(channels) + " channels";
     };
-    if (page->width() != static_cast<int>(size.width) ||
-        page->height() != static_cast<int>(size.height) ||
-        page->format().channels != atlas.format.channels) {
+    if (page->width != static_cast<int>(size.width) ||
+        page->height != static_cast<int>(size.height) ||
+        page->format.channels != atlas.format.channels) {
         return contentsError(path.string() + ": expected " +
                              found(size.width, size.height, atlas.format.channels) + ", found " +
-                             found(page->width(), page->height(), page->format().channels));
+                             found(page->width, page->height, page->format.channels));
     }
-    return page;
+    // Which channel is opacity, and what the others mean, not every image format can say.
+    const TexelFormat format{page->format.type, page->format.channels, atlas.format.alpha};
+    return Image::adopt(page->width, page->height, format, atlas.colors, std::move(page->pixels));
 }
 
 } // namespace
 
-Result<TexelStore> readPackedAtlas(const ImageWorker& worker,
-                                   const std::filesystem::path& path,
-                                   Threads threads,
-                                   Progress& progress)
+Result<ReadAtlas> readPackedAtlas(const ImageWorker& worker,
+                                  const std::filesystem::path& path,
+                                  Threads threads,
+                                  Progress& progress)
 {
     const auto text = readFile(path);
     if (!text) {
         return tl::unexpected(text.error());
     }
-    const auto atlas = parseAtlasDescription(*text);
+    auto atlas = parseAtlasDescription(*text);
     if (!atlas) {
         return prefixed(path.string(), atlas.error());
     }
@@ -72,10 +79,14 @@ Result<TexelStore> readPackedAtlas(const ImageWorker& worker,
     StageProgress taking(progress, 0.8, 0.9);
     const auto texels = unpackedFaces(atlas->faces, atlas->border, pages, threads, taking);
     if (!texels) {
-        return texels;
+        return tl::unexpected(texels.error());
     }
     StageProgress converting(progress, 0.9, 1);
-    return converted(*texels, atlas->format.type, threads, converting);
+    auto store = converted(*texels, atlas->format.type, threads, converting);
+    if (!store) {
+        return tl::unexpected(store.error());
+    }
+    return ReadAtlas{std::move(*store), std::move(atlas->colors)};
 }
 
 } // namespace trixel

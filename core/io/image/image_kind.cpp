@@ -32,24 +32,6 @@ bool looksLikeTga(std::span<const std::byte> b)
            hasSize && (byteAt(b, 17) & 0xC0U) == 0;
 }
 
-/// Where the compressed pixels of a JPEG begin: after the segment "start of scan".
-std::size_t jpegScan(std::span<const std::byte> file)
-{
-    std::size_t at = 2;
-    while (at + 4 <= file.size() && byteAt(file, at) == 0xFF) {
-        const unsigned marker = byteAt(file, at + 1);
-        if (marker == 0xFF) {
-            ++at; // padding
-            continue;
-        }
-        at += 2 + (byteAt(file, at + 2) << 8U | byteAt(file, at + 3));
-        if (marker == 0xDA) {
-            return at;
-        }
-    }
-    return file.size();
-}
-
 } // namespace
 
 std::string_view nameOf(ImageKind kind)
@@ -93,19 +75,6 @@ std::optional<ImageKind> imageKindOf(std::span<const std::byte> begin)
         return ImageKind::WebP;
     }
     return looksLikeTga(begin) ? std::optional(ImageKind::Tga) : std::nullopt;
-}
-
-Status checkImageEnd(ImageKind kind, std::span<const std::byte> file)
-{
-    if (kind != ImageKind::Jpeg) {
-        return {};
-    }
-    const auto scan = file.subspan(jpegScan(file));
-    constexpr std::byte kEnd[] = {std::byte{0xFF}, std::byte{0xD9}};
-    if (std::search(scan.begin(), scan.end(), std::begin(kEnd), std::end(kEnd)) == scan.end()) {
-        return contentsError("the file is cut off: a JPEG without its end mark");
-    }
-    return {};
 }
 
 } // namespace trixel

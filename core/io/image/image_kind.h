@@ -23,8 +23,4 @@ std::string_view readerOf(ImageKind kind);
 /// \param begin  at least the first 32 bytes, or all there are
 std::optional<ImageKind> imageKindOf(std::span<const std::byte> begin);
 
-/// Fails for files whose bytes show that their end is missing, where the decoder would fill in what
-/// it does not find: a JPEG without its end mark.
-Status checkImageEnd(ImageKind kind, std::span<const std::byte> file);
-
 } // namespace trixel

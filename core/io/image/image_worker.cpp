@@ -15,6 +15,7 @@
 #include <string>
 #include <sys/wait.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 extern "C" {
@@ -85,6 +86,23 @@ public:
         }
     }
 
+    /// Gives a process that has said all it has to say a moment to end by itself.
+    int endSoon()
+    {
+        constexpr int kMoments = 200;
+        for (int k = 0; k < kMoments; ++k) {
+            int status = 0;
+            if (::waitpid(m_id, &status, WNOHANG) == m_id) {
+                m_id = 0;
+                return status;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(k < 20 ? 1 : 10));
+        }
+        ::kill(m_id, SIGKILL);
+        return wait();
+    }
+
+private:
     int wait()
     {
         int status = 0;
@@ -94,7 +112,6 @@ public:
         return status;
     }
 
-private:
     pid_t m_id;
 };
 
@@ -215,7 +232,7 @@ Result<nlohmann::json> ImageWorker::run(const nlohmann::json& job,
     if (!reply) {
         return tl::unexpected(reply.error());
     }
-    if (const Status end = endOf(process.wait()); !end) {
+    if (const Status end = endOf(process.endSoon()); !end) {
         return tl::unexpected(end.error());
     }
     nlohmann::json answer = nlohmann::json::parse(*reply, nullptr, false);

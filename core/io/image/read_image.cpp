@@ -84,25 +84,6 @@ Result<OpenedImage> open(const fs::path& path)
     return opened;
 }
 
-/// Looks for the end of a file whose decoder does not miss it.
-Status checkEnd(const OpenedImage& opened)
-{
-    if (opened.kind != ImageKind::Jpeg) {
-        return {};
-    }
-    std::vector<std::byte> bytes(opened.bytes);
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t got = ::pread(
-            opened.file.get(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-        if (got <= 0) {
-            return contentsError("cannot be read to its end");
-        }
-        done += static_cast<std::size_t>(got);
-    }
-    return checkImageEnd(opened.kind, bytes);
-}
-
 /// What the decoder says of its pixels, which it may not have been itself when it said so.
 Result<DecodedImage> factsOf(const nlohmann::json& answer, const ImageLimits& limits)
 {
@@ -135,12 +116,8 @@ Result<DecodedImage> factsOf(const nlohmann::json& answer, const ImageLimits& li
     }
     // A declaration that does not fit comes from the file, not from the decoder.
     const auto colors = colorSpacesFromText(text("colors"));
-    const bool integers = *type == TexelType::UInt8 || *type == TexelType::UInt16;
-    facts.colors = colors && colors->size() == facts.format.channels
-                       ? *colors
-                       : uniformColors(integers ? ColorSpace::SRgb : ColorSpace::Linear,
-                                       facts.format.channels,
-                                       facts.format.alpha);
+    facts.colors =
+        colors && colors->size() == facts.format.channels ? *colors : usualColors(facts.format);
     return facts;
 }
 
@@ -196,9 +173,6 @@ Result<DecodedImage> decodeImageFile(const ImageWorker& worker,
     const auto opened = open(path);
     if (!opened) {
         return tl::unexpected(opened.error());
-    }
-    if (const Status end = checkEnd(*opened); !end) {
-        return inFile(path, end.error());
     }
     auto image = decoded(worker, *opened, options, progress, limits);
     return image ? std::move(image) : inFile(path, image.error());

@@ -51,23 +51,31 @@ const char* writerOf(Container container)
     return container == Container::Png ? "png" : container == Container::Tiff ? "tiff" : "openexr";
 }
 
-std::vector<std::string> namesOf(const TexelFormat& format, const ImageWriteOptions& options)
+/// Whether opacity lies where other programs look for it: behind one colour or three.
+bool hasUsualOpacity(const TexelFormat& format)
 {
-    if (options.channelNames.size() == format.channels) {
-        return options.channelNames;
-    }
-    const int colors = format.channels - (format.alpha ? 1 : 0);
-    const std::vector<std::string> known =
-        colors == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
+    return format.alpha && ((*format.alpha == 1 && format.channels == 2) || *format.alpha == 3);
+}
+
+/// OpenEXR sorts channels by name, and OpenImageIO puts R, G, B and A first when it reads them: all
+/// others are named so that they stay in their order, as is everything where opacity lies
+/// elsewhere.
+std::vector<std::string> namesOf(const TexelFormat& format)
+{
+    static_assert(TexelFormat::kMaxChannels <= 9999, "four digits sort as the numbers do");
+    const auto plain = [](std::uint16_t c) {
+        const std::string number = std::to_string(c);
+        return "channel" + std::string(4 - number.size(), '0') + number;
+    };
     std::vector<std::string> names;
-    std::size_t color = 0;
+    const bool isPlain = format.alpha && !hasUsualOpacity(format);
+    const bool isGrey = format.channels - (format.alpha ? 1 : 0) == 1;
     for (std::uint16_t c = 0; c < format.channels; ++c) {
-        if (format.alpha == c) {
-            names.emplace_back("A");
-        } else {
-            names.push_back(color < known.size() ? known[color] : "channel" + std::to_string(c));
-            ++color;
-        }
+        names.push_back(isPlain             ? plain(c)
+                        : format.alpha == c ? "A"
+                        : isGrey            ? "Y"
+                        : c < 3             ? std::string(1, "RGB"[c])
+                                            : plain(c));
     }
     return names;
 }
@@ -96,7 +104,8 @@ void multiplyByAlpha(const TexelFormat& format, std::span<std::byte> pixels)
 
 bool multiplies(Container container, const Image& image, const ImageWriteOptions& options)
 {
-    return container == Container::OpenExr && image.format().alpha && options.multipliesByAlpha;
+    return container == Container::OpenExr && hasUsualOpacity(image.format()) &&
+           options.multipliesByAlpha;
 }
 
 nlohmann::json
@@ -107,21 +116,22 @@ jobOf(std::span<const Image> levels, Container container, const ImageWriteOption
     for (const Image& level : levels) {
         sizes.push_back({level.width(), level.height()});
     }
-    return {{"work", "encode"},
-            {"writer", writerOf(container)},
-            {"levels", sizes},
-            {"type", nameOf(image.format().type)},
-            {"channels", image.format().channels},
-            {"alpha", image.format().alpha ? static_cast<int>(*image.format().alpha) : -1},
-            {"names", namesOf(image.format(), options)},
-            {"colors", toText(image.colors())},
-            {"multiplied", multiplies(container, image, options)},
-            {"tile", levels.size() > 1 ? options.tile : 0},
-            {"texture", levels.size() > 1},
-            {"wrap", options.wrap + "," + options.wrap},
-            {"compression", "zip"},
-            {"effort", options.effort},
-            {"threads", static_cast<int>(options.threads.count)}};
+    return {
+        {"work", "encode"},
+        {"writer", writerOf(container)},
+        {"levels", sizes},
+        {"type", nameOf(image.format().type)},
+        {"channels", image.format().channels},
+        {"alpha", hasUsualOpacity(image.format()) ? static_cast<int>(*image.format().alpha) : -1},
+        {"names", namesOf(image.format())},
+        {"colors", toText(image.colors())},
+        {"multiplied", multiplies(container, image, options)},
+        {"tile", levels.size() > 1 ? options.tile : 0},
+        {"texture", levels.size() > 1},
+        {"wrap", options.wrap + "," + options.wrap},
+        {"compression", "zip"},
+        {"effort", options.effort},
+        {"threads", static_cast<int>(options.threads.count)}};
 }
 
 /// All levels one after the other, as the file is to hold them.
@@ -229,6 +239,10 @@ Status checkImageTarget(const fs::path& path,
     if (*container == Container::Png && (!integers || format.channels > 4)) {
         return refuse("a PNG holds 1 to 4 channels of uint8 or uint16, not " +
                       std::to_string(format.channels) + " of " + std::string(nameOf(format.type)));
+    }
+    if (*container == Container::Png && format.alpha && *format.alpha + 1 != format.channels) {
+        return refuse("a PNG has opacity in its last channel, not in channel " +
+                      std::to_string(*format.alpha) + " of " + std::to_string(format.channels));
     }
     if (*container == Container::Png && hasLevels) {
         return refuse("a PNG holds one level; .exr, .tif and .tx hold more");

@@ -17,8 +17,6 @@ namespace trixel {
 /// How an image is written.
 struct ImageWriteOptions
 {
-    /// One for each channel; empty for R G B A, or Y and A. OpenEXR and TIFF only.
-    std::vector<std::string> channelNames;
     /// OpenEXR expects colours multiplied by opacity, and so they are, which loses those under an
     /// opacity of 0. False: as they are in the image; Trixel reads them back to the bit, others
     /// take them for multiplied.
@@ -32,8 +30,8 @@ struct ImageWriteOptions
 
 /// Fails, in the words of an argument's fault, if a file of this name cannot hold such an image:
 /// the name ends otherwise than in .png (uint8 and uint16, 1 to 4 channels), .tif, .tiff (uint8,
-/// uint16, float), .exr (half, float) or .tx (a TIFF or OpenEXR file, by type), or a side is
-/// longer than 2^17 pixels. To be asked before long work.
+/// uint16, float), .exr (half, float) or .tx (a TIFF or OpenEXR file, by type), a PNG would have
+/// opacity elsewhere than last, or a side is longer than 2^17 pixels. To be asked before long work.
 Status checkImageTarget(const std::filesystem::path& path,
                         const TexelFormat& format,
                         std::int64_t width,

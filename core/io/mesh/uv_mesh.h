@@ -32,6 +32,7 @@ struct UvMesh
     const TriangleMesh& mesh;
     FaceMap<FaceUvs> uvs;
     std::vector<std::string> textures; ///< names of files beside the mesh
+    bool hasOpacity = false;           ///< whether their last channel is that
 };
 
 /// Each writes a file with `commitFile`, faces in their order; errors name the file. Cancelled

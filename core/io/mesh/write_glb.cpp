@@ -84,7 +84,8 @@ public:
         , m_normals(cornerNormals(uvMesh.mesh))
     {
         describe();
-        m_text = m_json.dump();
+        // Names of files need not be UTF-8.
+        m_text = m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
         m_text.resize((m_text.size() + 3) / 4 * 4, ' ');
     }
 
@@ -142,7 +143,9 @@ private:
             images.push_back(
                 {{"bufferView", view}, {"mimeType", "image/png"}, {"name", m_uvMesh.textures[k]}});
             textures.push_back({{"sampler", 0}, {"source", k}});
+            // Opaque is what a program must take for granted that is told nothing.
             materials.push_back({{"name", m_uvMesh.textures[k]},
+                                 {"alphaMode", m_uvMesh.hasOpacity ? "BLEND" : "OPAQUE"},
                                  {"doubleSided", true},
                                  {"pbrMetallicRoughness",
                                   {{"baseColorTexture", {{"index", k}}},

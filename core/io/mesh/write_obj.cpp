@@ -22,6 +22,9 @@ Status writeMaterials(const std::filesystem::path& path, const UvMesh& uvMesh)
                 // White and not shiny: the texture is all there is to see.
                 lines.add("newmtl ", materialName(k), "\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd ");
                 lines.add(uvMesh.textures[k], "\n");
+                if (uvMesh.hasOpacity) {
+                    lines.add("map_d -imfchan m ", uvMesh.textures[k], "\n");
+                }
             }
             return lines.finish();
         },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/image/worker/job_descriptors.h"
 #include "core/io/image/worker/jobs.h"
+#include "core/io/image/worker/jpeg_end.h"
 
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -133,6 +135,20 @@ std::byte* outputMemory(std::uint64_t bytes)
     return static_cast<std::byte*>(memory);
 }
 
+/// Of a JPEG; others' decoders miss the end of a file themselves.
+void checkEnd(std::uint64_t fileBytes)
+{
+    void* memory = ::mmap(nullptr, fileBytes, PROT_READ, MAP_PRIVATE, kInputDescriptor, 0);
+    if (memory == MAP_FAILED) { // NOLINT: the system's macro
+        throw std::bad_alloc();
+    }
+    const bool isWhole = hasJpegEnd({static_cast<const std::byte*>(memory), fileBytes});
+    ::munmap(memory, fileBytes);
+    if (!isWhole) {
+        fail("the file is cut off: a JPEG without its end mark");
+    }
+}
+
 void readPixels(ImageInput& input, int channels, TypeDesc type, std::byte* pixels)
 {
     if (!input.read_image(0, input.current_miplevel(), 0, channels, type, pixels)) {
@@ -202,7 +218,9 @@ Place shownAt(int x, int y, int width, int height, int orientation)
 
 void divideByAlpha(TypeDesc type, std::byte* pixels, std::size_t count, int channels, int alpha)
 {
-    // As floats, a run at a time: of integers the nearest is stored.
+    // As floats, a run at a time: of integers the nearest is stored, and what glows through next to
+    // no opacity stays finite.
+    const float largest = type == TypeDesc::HALF ? 65504.0F : std::numeric_limits<float>::max();
     constexpr std::size_t kRun = 4096;
     const auto width = static_cast<std::size_t>(channels);
     std::vector<float> values(kRun * width);
@@ -215,12 +233,27 @@ void divideByAlpha(TypeDesc type, std::byte* pixels, std::size_t count, int chan
             const float opacity = values[k * width + static_cast<std::size_t>(alpha)];
             for (std::size_t c = 0; c < width && opacity > 0; ++c) {
                 if (c != static_cast<std::size_t>(alpha)) {
-                    values[k * width + c] /= opacity;
+                    float& value = values[k * width + c];
+                    value = std::clamp(value / opacity, -largest, largest);
                 }
             }
         }
         OIIO::convert_types(
             TypeDesc::FLOAT, values.data(), type, run, static_cast<int>(some * width));
+    }
+}
+
+/// Of bytes, all of which are transparent.
+void becomeOpaqueIfInvisible(std::byte* pixels, std::size_t count, int channels, std::size_t alpha)
+{
+    const auto step = static_cast<std::size_t>(channels);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (pixels[k * step + alpha] != std::byte{0}) {
+            return;
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        pixels[k * step + alpha] = std::byte{255};
     }
 }
 
@@ -256,9 +289,11 @@ std::string colorsOf(const ImageSpec& spec)
     return repeated(spec.format.is_floating_point() ? "linear" : "srgb", spec);
 }
 
-bool isMultiplied(const ImageSpec& spec)
+/// \param reader  that of BMP does not say that its colours never are
+bool isMultiplied(const ImageSpec& spec, const std::string& reader)
 {
-    return spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0 &&
+    return reader != "bmp" && spec.alpha_channel >= 0 &&
+           spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0 &&
            spec.get_int_attribute("trixel:UnassociatedAlpha", 0) == 0;
 }
 
@@ -292,7 +327,8 @@ void place(const ImageSpec& spec,
 
 nlohmann::json decodeImage(const nlohmann::json& job)
 {
-    const auto input = ImageInput::create(job.at("reader").get<std::string>());
+    const auto reader = job.at("reader").get<std::string>();
+    const auto input = ImageInput::create(reader);
     if (!input) {
         fail("this installation of OpenImageIO cannot read its format");
     }
@@ -304,6 +340,9 @@ nlohmann::json decodeImage(const nlohmann::json& job)
         fail(complaint(*input));
     }
     checkSize(spec, job);
+    if (reader == "jpeg") {
+        checkEnd(job.at("fileBytes").get<std::uint64_t>());
+    }
     const TypeDesc type = storedType(spec);
     const Frame frame = frameOf(spec);
     int orientation = spec.get_int_attribute("Orientation", 1);
@@ -323,10 +362,15 @@ nlohmann::json decodeImage(const nlohmann::json& job)
     } else {
         readPixels(*input, spec.nchannels, type, shown);
     }
-    if (isMultiplied(spec) && !job.at("keepsAlpha").get<bool>()) {
+    if (isMultiplied(spec, reader) && !job.at("keepsAlpha").get<bool>()) {
         divideByAlpha(type, shown, shownPixels, spec.nchannels, spec.alpha_channel);
     }
     readCoarser(*input, coarser, type, shown + shownPixels * pixelBytes);
+    // Many programs leave the fourth byte of a BMP's pixels at 0 and mean nothing by it.
+    if (reader == "bmp" && spec.alpha_channel >= 0) {
+        becomeOpaqueIfInvisible(
+            shown, shownPixels, spec.nchannels, static_cast<std::size_t>(spec.alpha_channel));
+    }
     const bool turned = orientation >= 5;
     return {{"width", turned ? frame.height : frame.width},
             {"height", turned ? frame.width : frame.height},

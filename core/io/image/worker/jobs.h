@@ -9,7 +9,8 @@ namespace trixel::worker {
 
 /// Reads kInputDescriptor into kOutputDescriptor, whose size it sets, and answers width, height,
 /// type, channels, alpha (-1 for none) and colors.
-/// \param job  reader, fileBytes, coarserLevels (sizes), keepsAlpha (colours stay multiplied by opacity), limits
+/// \param job  reader, fileBytes, coarserLevels (sizes), keepsAlpha (colours stay multiplied by
+/// opacity), limits
 nlohmann::json decodeImage(const nlohmann::json& job);
 
 /// Encodes the pixels of kInputDescriptor into the file kOutputDescriptor.

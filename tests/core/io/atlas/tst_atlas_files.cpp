@@ -79,7 +79,11 @@ protected:
     Result<TexelStore> readPacked(const std::string& name) const
     {
         NoProgress progress;
-        return readPackedAtlas(worker, at(name), Threads{2}, progress);
+        auto read = readPackedAtlas(worker, at(name), Threads{2}, progress);
+        if (!read) {
+            return tl::unexpected(read.error());
+        }
+        return std::move(read->texels);
     }
 };
 
@@ -96,7 +100,11 @@ TEST_F(AtlasFiles, facesComeBackToTheBitThroughEveryFormat)
         {shorts, {"a.png", "a.tif"}},
         {halves, {"a.exr"}},
         {floats, {"a.tif"}},
-        {{TexelType::Float, 7, std::nullopt}, {"a.exr"}}};
+        // Names that do not sort as numbers do, and opacity where only the description says it.
+        {{TexelType::Float, 23, std::nullopt}, {"a.exr"}},
+        {{TexelType::Half, 5, 4}, {"a.exr"}},
+        {{TexelType::UInt16, 4, 0}, {"a.tif", "a.exr"}},
+        {{TexelType::UInt8, 4, std::nullopt}, {"a.png", "a.tif"}}};
     for (const auto& [format, names] : cases) {
         const Project project = anyProject(format);
         for (const std::string& name : names) {
@@ -107,6 +115,7 @@ TEST_F(AtlasFiles, facesComeBackToTheBitThroughEveryFormat)
             const auto back = readPacked("a.json");
             ASSERT_TRUE(back) << back.error().message;
             EXPECT_TRUE(sameTexels(*back, project.texels)) << name;
+            EXPECT_EQ(back->format(), format) << name;
         }
     }
 }
@@ -282,6 +291,17 @@ TEST_F(AtlasText, hostileDescriptionsAreRefusedInOneSentence)
     EXPECT_THAT(refused([](Json& j) { j["faces"]["x"][7] = 4294967295U; }), HasSubstr("x"));
     EXPECT_THAT(refused([](Json& j) { j["faces"]["y"].erase(2); }), HasSubstr("as many"));
     EXPECT_THAT(refused([](Json& j) { j.erase("faces"); }), HasSubstr("faces"));
+    // Few bytes that stand for any number of texels.
+    EXPECT_THAT(refused([](Json& j) {
+                    for (Json& column : j["faces"]) {
+                        for (int k = 0; k < 5000; ++k) {
+                            column.push_back(column[0]);
+                        }
+                    }
+                }),
+                HasSubstr("take more pixels than the pages have"));
+    EXPECT_THAT(refused([](Json& j) { j["pages"].push_back(j["pages"][0]); }),
+                HasSubstr("two of them"));
     EXPECT_THAT(parseAtlasDescription("{").error().message, HasSubstr("JSON"));
 }
 

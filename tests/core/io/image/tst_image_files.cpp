@@ -234,13 +234,83 @@ TEST_F(ImageFiles, oiiotoolCountsTheTexturesPixels)
     }
 }
 
+/// Channels beyond the tenth, and opacity where no format looks for it, stay where they are.
+TEST_F(ImageFiles, channelsKeepTheirOrder)
+{
+    const struct
+    {
+        const char* name;
+        TexelFormat format;
+    } cases[] = {{"a.exr", {TexelType::Half, 14, std::nullopt}},
+                 {"b.exr", {TexelType::Float, 4, 0}},
+                 {"c.exr", {TexelType::Half, 6, 5}},
+                 {"d.exr", {TexelType::Half, 12, 3}},
+                 {"e.tx", {TexelType::Half, 13, std::nullopt}},
+                 {"f.tif", {TexelType::UInt16, 12, std::nullopt}}};
+    for (const auto& [name, format] : cases) {
+        Image image(9, 7, format, usualColors(format));
+        std::vector<float> values(63U * format.channels);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            values[k] = static_cast<float>(k % 251) / 251;
+        }
+        encode(format.type, values, image.writable());
+        const Status written = write(at(name), {&image, 1});
+        ASSERT_TRUE(written) << name << ": " << written.error().message;
+    }
+}
+
+/// Bytes of a BMP of one pixel.
+std::string bmp(std::string_view bgra)
+{
+    const auto number = [](std::uint32_t n) {
+        return std::string(reinterpret_cast<const char*>(&n), 4);
+    };
+    return "BM" + number(58) + number(0) + number(54) + number(40) + number(1) + number(1) +
+           std::string("\1\0\x20\0", 4) + number(0) + number(4) + number(2835) + number(2835) +
+           number(0) + number(0) + std::string(bgra);
+}
+
+TEST_F(ImageFiles, colorsOfABmpAreNotMultipliedByItsOpacity)
+{
+    const auto half = read(put("half.bmp", bmp("\x32\x64\xC8\x80")));
+    ASSERT_TRUE(half) << half.error().message;
+    ASSERT_EQ(half->format().alpha, 3);
+    EXPECT_EQ(half->pixels()[0], std::byte{0xC8});
+    EXPECT_EQ(half->pixels()[2], std::byte{0x32});
+    EXPECT_EQ(half->pixels()[3], std::byte{0x80});
+    // A fourth byte that nobody filled in.
+    const auto unused = read(put("unused.bmp", bmp(std::string("\x32\x64\xC8\0", 4))));
+    ASSERT_TRUE(unused);
+    EXPECT_EQ(unused->pixels()[3], std::byte{0xFF});
+    EXPECT_EQ(unused->pixels()[0], std::byte{0xC8});
+}
+
+TEST_F(ImageFiles, whatGlowsThroughNextToNoOpacityStaysFinite)
+{
+    Image image(1, 1, {TexelType::Half, 4, 3}, uniformColors(ColorSpace::Linear, 4, 3));
+    const std::array<float, 4> multiplied = {0.5F, 0.25F, 0, 4e-6F};
+    encode(TexelType::Half, multiplied, image.writable());
+    OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::HALF);
+    const auto output = OIIO::ImageOutput::create("a.exr");
+    ASSERT_TRUE(output->open(at("a.exr").string(), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::HALF, image.pixels().data()));
+    ASSERT_TRUE(output->close());
+    const auto back = read(at("a.exr"));
+    ASSERT_TRUE(back);
+    std::array<float, 4> values{};
+    decode(TexelType::Half, back->pixels(), values);
+    EXPECT_EQ(values[0], 65504);
+    EXPECT_EQ(values[2], 0);
+}
+
 /// An encoder that writes the second level as high as it should be wide.
 TEST_F(ImageFiles, aWrongLevelTakesNoName)
 {
     const Image image = wavyImage(96, 64, TexelType::UInt8, 3);
     const auto levels = imageLevels(image, Threads{2});
-    std::ofstream(at("clumsy")) << "#!/bin/sh\nexec " TRIXEL_IMAGE_WORKER
-                                   " \"$(printf %s \"$1\" | sed '/encode/s/\\[48,32\\]/[32,48]/')\"\n";
+    std::ofstream(at("clumsy"))
+        << "#!/bin/sh\nexec " TRIXEL_IMAGE_WORKER
+           " \"$(printf %s \"$1\" | sed '/encode/s/\\[48,32\\]/[32,48]/')\"\n";
     std::filesystem::permissions(at("clumsy"), std::filesystem::perms::owner_all);
     worker = ImageWorker(at("clumsy"));
     const Status written = write(at("a.tx"), levels);

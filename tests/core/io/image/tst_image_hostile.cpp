@@ -143,7 +143,8 @@ TEST_F(HostileImages, aJpegWithoutItsEndIsRefused)
     ASSERT_GT(bytes.size(), 100U);
     EXPECT_EQ(refusal(bytes), "accepted");
     EXPECT_THAT(refusal(bytes.substr(0, bytes.size() - 2)), HasSubstr("cut off"));
-    EXPECT_THAT(refusal(bytes.substr(0, bytes.size() / 2)), HasSubstr("cut off"));
+    EXPECT_THAT(refusal(bytes.substr(0, bytes.size() / 2)),
+                AnyOf(HasSubstr("cut off"), HasSubstr("damaged")));
 }
 
 TEST_F(HostileImages, damagedBytesNeverReachThisProcess)
@@ -234,6 +235,8 @@ TEST_F(HostileImages, aDecoderThatLiesIsNotBelieved)
     EXPECT_THAT(refusedBy("echo '{\"width\":\"a\"}' >&5\n"), HasSubstr("answers nonsense"));
     EXPECT_THAT(refusedBy("echo 'no json' >&5\n"), HasSubstr("its decoder failed"));
     EXPECT_THAT(refusedBy("yes >&5\n"), HasSubstr("answers without end"));
+    EXPECT_THAT(refusedBy("echo '" + answer + "' >&5; exec 5>&-; sleep 100\n"),
+                HasSubstr("its decoder failed"));
     EXPECT_THAT(refusedBy("kill -SEGV $$\n"), HasSubstr("its decoder failed"));
     EXPECT_THAT(refusedBy("kill -XCPU $$\n"), HasSubstr("too long"));
     EXPECT_THAT(refusedBy("exit 3\n"), HasSubstr("its decoder failed"));

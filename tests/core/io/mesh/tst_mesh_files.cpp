@@ -200,6 +200,20 @@ TEST_F(MeshFiles, glbHoldsEveryCornerItsNormalAndUvAndTheTextures)
     EXPECT_EQ(glb.json["buffers"][0]["byteLength"], glb.bytes.size());
 }
 
+TEST_F(MeshFiles, opacityIsDeclaredWhereThereIsSome)
+{
+    const std::vector<std::vector<std::byte>> pngs(2, std::vector<std::byte>(5));
+    for (const bool has : {false, true}) {
+        uvMesh.hasOpacity = has;
+        uvMesh.textures[0] = "caf\xE9.png"; // a name that is no UTF-8
+        ASSERT_TRUE(writeGlb(at("a.glb"), uvMesh, pngs, progress));
+        const auto json = Glb(bytesOf(at("a.glb"))).json;
+        EXPECT_EQ(json["materials"][1]["alphaMode"], has ? "BLEND" : "OPAQUE");
+        ASSERT_TRUE(writeObj(at("a.obj"), at("a.mtl"), uvMesh, progress));
+        EXPECT_EQ(bytesOf(at("a.mtl")).find("map_d") != std::string::npos, has);
+    }
+}
+
 TEST_F(MeshFiles, glbIsWhatTheSpecificationAsksFor)
 {
     if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0) {
