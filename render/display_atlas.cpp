@@ -88,6 +88,9 @@ bool DisplayAtlas::touch(const TexelStore& store, std::span<const TouchedRect> r
         if (shown != face.level().coarser(m_drop)) {
             return false; // it was a single texel, or is shown coarser than others
         }
+        if (rect.wholeFace && aConstantNeighbourIsAbout(store, rect.face)) {
+            return false; // as one texel it can't end where the new paint does
+        }
         m_texels->replace(rect.face, m_drop > 0 ? reduced(store.format(), face, m_drop) : face);
         const VertexRings& rings = m_mesh->rings();
         for (std::uint8_t corner = 0; corner < 3; ++corner) {
@@ -97,6 +100,20 @@ bool DisplayAtlas::touch(const TexelStore& store, std::span<const TouchedRect> r
         }
     }
     return true;
+}
+
+/// Whether a face that shares a vertex is shown by a single texel, or coarser than its own level.
+bool DisplayAtlas::aConstantNeighbourIsAbout(const TexelStore& store, FaceId face) const
+{
+    const VertexRings& rings = m_mesh->rings();
+    for (std::uint8_t corner = 0; corner < 3; ++corner) {
+        for (const Corner& other : rings.corners(rings.ring({face, corner}))) {
+            if (m_texels->levelOf(other.face) != store.face(other.face).level().coarser(m_drop)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 void DisplayAtlas::showChannels(const CardChannels& channels)

@@ -69,6 +69,7 @@ public:
     std::span<const FaceRecord> records() const { return m_records; }
 
 private:
+    bool aConstantNeighbourIsAbout(const TexelStore& store, FaceId face) const;
     void emitFace(FaceId face, AtlasUpdate& update) const;
 
     std::shared_ptr<const FilterMesh> m_mesh;

@@ -36,6 +36,7 @@ std::size_t FilterForm<Layout, Update, Card>::upload(const std::shared_ptr<const
     }
     if (!m_making) {
         m_card.clear(store.faceCount());
+        m_channels = channels;
         m_making = std::make_unique<BackgroundLayout<Layout, Update>>(
             store, [mesh, channels, mipDrop, most](Layout& layout, const TexelStore& texels) {
                 layout.showChannels(channels);
@@ -91,7 +92,7 @@ void FilterForm<Layout, Update, Card>::showChannels(const CardChannels& channels
 {
     if (m_layout) {
         m_layout->showChannels(channels);
-    } else if (m_making) {
+    } else if (m_making && channels != m_channels) {
         m_madeIsOld = true;
     }
 }

@@ -77,6 +77,7 @@ public:
 private:
     Card m_card;
     std::unique_ptr<BackgroundLayout<Layout, Update>> m_making;
+    CardChannels m_channels;          ///< of what is being made
     bool m_madeIsOld = false;         ///< what is being made is not what is wanted any more
     std::vector<TouchedRect> m_since; ///< touched since it began
     std::optional<Layout> m_layout;

@@ -57,8 +57,10 @@ void PaintPreview::begin(std::size_t faceCount, const Paint& paint)
 
 bool PaintPreview::giveSquare(FaceId face, Level level)
 {
+    const PaintSquares before = m_squares;
     const auto square = m_squares.add(level);
     if (!square || !m_sheet->reserve(m_squares.rowsUsed())) {
+        m_squares = before; // smaller ones may still find room
         return false;
     }
     m_words[indexOf(face)] = square->word();

@@ -23,7 +23,9 @@ SurfaceAtlas::SurfaceAtlas(Gl& gl)
 
 SurfaceAtlas::~SurfaceAtlas()
 {
-    release();
+    if (m_gl.isCurrent()) { // else its texture went with its context
+        release();
+    }
 }
 
 void SurfaceAtlas::clear(std::size_t faceCount)

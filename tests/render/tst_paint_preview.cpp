@@ -345,6 +345,32 @@ private slots:
         QVERIFY(largestDifference(picture(), shown) <= most);
     }
 
+    void aFaceTooLargeForTheSheetLeavesRoomForOthers()
+    {
+        const TexelFormat format{TexelType::UInt8, 3, std::nullopt};
+        FaceMap<Level> levels(m_surface->mesh().faceCount(), Level(3));
+        levels[faceId(0)] = Level(12);
+        m_store = TexelStore(format, levels, std::vector<std::byte>(3));
+        m_renderer->setCardBudget(std::uint64_t{256} << 20U);
+        QVERIFY(m_renderer->setMesh(m_surface->mesh()));
+        m_renderer->setTexels(m_store, 0);
+        send();
+        Brush brush = softBrush();
+        brush.radius = 4;
+        brush.paintThrough = true;
+        PaintPreview& preview = begun(brush);
+        PlacedDab dab{{{0, 0, 0}, {}, 0.01F, 1}, {}};
+        for (std::size_t f = 0; f < levels.size(); ++f) {
+            dab.faces.push_back(faceId(f));
+        }
+        preview.add(m_surface->mesh(), m_store, std::array{dab});
+        QVERIFY(!preview.hasSquare(faceId(0)));
+        for (std::size_t f = 1; f < levels.size(); ++f) {
+            QVERIFY(preview.hasSquare(faceId(f)));
+        }
+        preview.end();
+    }
+
     void facesWithoutRoomShowTheStoreAndTheRestGoesOn()
     {
         const TexelFormat format{TexelType::UInt8, 3, std::nullopt};

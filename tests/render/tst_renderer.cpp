@@ -544,7 +544,16 @@ private slots:
         lost.bind();
         auto renderer = Renderer::create();
         QVERIFY(renderer);
-        QVERIFY((*renderer)->setMesh(twoFaces()));
+        const TriangleMesh mesh = twoFaces();
+        QVERIFY((*renderer)->setMesh(mesh));
+        const TexelStore store(2, TexelFormat{}, Level(3), std::vector<std::byte>(3));
+        (*renderer)->wantFilterings(std::array{Filtering::PackedAtlas});
+        (*renderer)->setTexels(store, 0);
+        (*renderer)->setFilterMesh(std::make_shared<const FilterMesh>(
+            mesh, buildAdjacency(mesh.triangles), store, nullptr));
+        while ((*renderer)->hasAtlasWork()) {
+            (*renderer)->uploadAtlas(store, 1U << 20U);
+        }
         Offscreen other;
         other.bind();
         auto& gl = *other.context().extraFunctions();

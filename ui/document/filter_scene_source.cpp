@@ -64,6 +64,9 @@ void FilterSceneSource::leave(const QObject* who)
 void FilterSceneSource::forget()
 {
     ++m_generation;
+    if (m_building) {
+        m_building->cancel(); // two scenes at once are gigabytes for nothing
+    }
     m_isBusy = false;
     m_rebuild = true;
     m_isStale = true;
@@ -112,7 +115,7 @@ void FilterSceneSource::refresh()
 
 void FilterSceneSource::build()
 {
-    m_jobs.run(
+    m_building = &m_jobs.run(
         tr("Preparing the filters…"),
         [surface = m_document.surface(), shape = m_surface, store = m_document.texels()](
             Progress& progress) mutable -> Result<Made> {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 
 #include "core/filter/filter_scene.h"
@@ -87,6 +88,7 @@ private:
     bool m_rebuild = true; // everything may differ
     bool m_isBusy = false;
     quint64 m_generation = 0;
+    QPointer<BackgroundJob> m_building;
 };
 
 } // namespace trixel::ui

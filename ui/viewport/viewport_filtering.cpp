@@ -55,7 +55,7 @@ void Viewport::Private::makeFilterMesh()
         return;
     }
     filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface,
-                                               store = document.texels(),
+                                               store = texels(),
                                                limit = filteredLimit] {
         return std::make_shared<const render::FilterMesh>(
             surface->mesh(), surface->adjacency(), store, limit ? &limit->tessellation() : nullptr);

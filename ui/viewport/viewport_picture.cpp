@@ -2,6 +2,7 @@
 //
 // What is laid over the surface: a computed picture, colours of faces, and a marked edge.
 #include <QOpenGLFramebufferObject>
+#include <QScopedValueRollback>
 
 #include "core/base/check.h"
 #include "core/lattice/edge_transfer.h"
@@ -99,8 +100,15 @@ bool Viewport::showsOtherTexels() const
 
 QImage Viewport::picture(double density)
 {
+    const QSize pixels = (QSizeF(size()) * density).toSize();
+    const bool isAsShown = !canDraw() || hasPicture() || density == devicePixelRatioF();
+    // What is streamed, how finely limits are cut and where a split runs go by the camera's pixels.
+    const QScopedValueRollback itself(d->camera);
+    if (!isAsShown) {
+        d->camera.setViewport(pixels.width(), pixels.height());
+    }
     settle();
-    if (!canDraw() || hasPicture() || density == devicePixelRatioF()) {
+    if (isAsShown) {
         return grabFramebuffer();
     }
     d->canvas->makeCurrent();
@@ -109,10 +117,9 @@ QImage Viewport::picture(double density)
         QOpenGLFramebufferObjectFormat format;
         format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
         format.setSamples(d->canvas->format().samples());
-        QOpenGLFramebufferObject target((QSizeF(size()) * density).toSize(), format);
+        QOpenGLFramebufferObject target(pixels, format);
         if (target.isValid() && target.bind()) {
             render::Scene scene = d->scene();
-            scene.camera.setViewport(target.width(), target.height());
             scene.surface.pixelRatio = static_cast<float>(density);
             d->renderer->draw(scene);
             target.release();
@@ -149,6 +156,9 @@ void Viewport::Private::sendPicture(render::Side side)
 /// The context is current.
 void Viewport::Private::sendFaceColors()
 {
+    if (!shownSurface) {
+        return; // a mesh that the card could not take has no faces to colour
+    }
     if (std::exchange(faceColorsDirty, false)) {
         renderer->setFaceColors(faceColors);
     }

@@ -94,6 +94,7 @@ void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
     otherTexels = std::move(others);
     shownTexels.forget();
     streaming.texelsChanged();
+    forgetFilterMesh(); // other levels, perhaps
     otherSideDirty = true;
     if (renderer && !texelsDirty) {
         renderer->touchAllTexels();
@@ -151,6 +152,7 @@ void Viewport::Private::makeRenderer()
         return;
     }
     renderer = std::move(*made);
+    delete std::exchange(message, nullptr); // of an attempt before
     painting.forgetCard();
     renderer->setLook(settings.look());
     meshDirty = true; // and with it all that is shown on it
@@ -336,6 +338,7 @@ void Viewport::Private::explainNoOpenGl(const QString& reason)
     qCWarning(lcViewport).noquote() << "OpenGL 4.1 is not available." << reason;
     const QString sentence =
         tr("The 3D view needs OpenGL 4.1, which this display does not offer. %1").arg(reason);
+    delete std::exchange(message, nullptr);
     message = new QLabel(sentence, &q);
     message->setAlignment(Qt::AlignCenter);
     message->setWordWrap(true);

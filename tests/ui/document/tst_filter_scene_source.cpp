@@ -67,6 +67,17 @@ private slots:
         QVERIFY(m_source->memoryBytes() > 0);
     }
 
+    void aBuildThatNobodyWantsAnyMoreIsCancelled()
+    {
+        m_source->want(m_who, true);
+        BackgroundJob* building = m_jobs->latest();
+        QVERIFY(building != nullptr);
+        m_source->want(m_who, false);
+        QVERIFY(building->isCancelled());
+        wantScene(); // and another comes
+        QVERIFY(m_source->isCurrent());
+    }
+
     void whenTheLastLeavesTheSceneIsGivenUp()
     {
         QObject second;

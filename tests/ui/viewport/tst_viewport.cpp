@@ -120,6 +120,42 @@ private slots:
         QCOMPARE(m_view->seen(m_view->texelPosition(kFace1, kUpper)), QColor(200, 150, 100));
     }
 
+    /// Its texels are as fine, and a split stands at the same place, as in a view so large.
+    void aPictureOfTwiceTheDensityIsThatOfAViewTwiceAsLarge()
+    {
+        Project project = squareProject(10);
+        for (const FaceId face : {kFace0, kFace1}) {
+            auto state = static_cast<std::uint32_t>(1 + indexOf(face));
+            for (std::byte& value : project.texels.writable(face)) {
+                state = state * 1664525U + 1013904223U;
+                value = static_cast<std::byte>(state >> 24U);
+            }
+        }
+        m_view->document.open(std::move(project), {}, "noise");
+        ViewOptions options;
+        options.lit = false;
+        options.footprint = false;
+        m_view->settings.setView(options);
+        m_view->settings.setComparison({ComparedBy::Level, {}, {}, 6, 0.3});
+        Viewport& viewport = *m_view->viewport;
+        const double density = viewport.devicePixelRatioF();
+        viewport.lookFrom(0, 0);
+        const QImage dense = viewport.picture(2 * density);
+        QCOMPARE(viewport.picture(density).size() * 2, dense.size());
+        viewport.resize(viewport.size() * 2);
+        const QImage large = viewport.picture(density);
+        QCOMPARE(dense.size(), large.size());
+        int differing = 0;
+        for (int y = 0; y < large.height(); ++y) {
+            for (int x = 0; x < large.width(); ++x) {
+                differing +=
+                    std::abs(qGreen(dense.pixel(x, y)) - qGreen(large.pixel(x, y))) > 3 ? 1 : 0;
+            }
+        }
+        QVERIFY2(differing < large.width() * large.height() / 200,
+                 std::to_string(differing).c_str());
+    }
+
     void theFootprintIsExplainedWhileItIsDrawn()
     {
         const auto* legend = m_view->viewport->findChild<FootprintLegend*>();
