@@ -52,6 +52,8 @@ nlohmann::json jsonOf(const PtxDiff& diff)
             {"texels", diff.texels},
             {"maxAbs", jsonOf(diff.maxAbs)},
             {"rms", jsonOf(diff.rms)},
+            {"peak", diff.peak},
+            {"psnr", jsonOf(diff.psnr())},
             {"faces", std::move(faces)}};
 }
 
@@ -92,7 +94,7 @@ void print(const PtxDiff& diff)
     std::cout << "In all " << counted(diff.faces.size(), "face") << " ("
               << grouped(diff.levelDifferences) << " of another level), "
               << counted(diff.texels, "texel") << ", at most " << diff.maxAbs << ", rms "
-              << diff.rms << '\n';
+              << diff.rms << ", psnr " << diff.psnr() << " dB\n";
 }
 
 Result<Outcome> diffFiles(const Arguments& arguments, Progress& progress)
