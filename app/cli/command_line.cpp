@@ -33,6 +33,7 @@ constexpr AddVerb kVerbs[] = {addNew,
                               addExport,
                               addConvert,
                               addDiff,
+                              addMatch,
                               addSample,
                               addStudy,
                               addFit};

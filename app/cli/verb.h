@@ -34,5 +34,6 @@ void addFit(CLI::App& parser, Work& chosen);
 void addBake(CLI::App& parser, Work& chosen);
 void addBakeOut(CLI::App& parser, Work& chosen);
 void addTransfer(CLI::App& parser, Work& chosen);
+void addMatch(CLI::App& parser, Work& chosen);
 
 } // namespace trixel::app

@@ -210,6 +210,38 @@ TEST_F(Cli, convertRewritesTypeAndMips)
     EXPECT_THAT(runTrixel({"diff", path("a.ptx"), path("c.ptx")}), EndsWith(0));
 }
 
+TEST_F(Cli, matchBringsAPtxBackOntoAMeshOfAnotherOrderAndWinding)
+{
+    runTrixel({"paint", project(), "--strokes", strokes(), "-o", path("painted.trixel")});
+    runTrixel({"export", path("painted.trixel"), "-o", path("a.ptx")});
+    const std::string other = write("other.obj",
+                                    "v 0 1 0\nv 0 0 1\nv 1 0 0\nv 0 0 0\n"
+                                    "f 3 1 2\nf 2 1 4\nf 4 1 3\nf 3 4 2\n");
+    const ProgramRun there =
+        runTrixel({"match", path("a.ptx"), "--mesh", other, "-o", path("b.ptx")});
+    EXPECT_THAT(there, EndsWith(0));
+    EXPECT_THAT(there.out, HasSubstr("by their positions: "));
+    EXPECT_THAT(runTrixel({"check", path("b.ptx"), "--mesh", other}), EndsWith(0));
+    EXPECT_NE(contentsOf(path("a.ptx")), contentsOf(path("b.ptx")));
+    // And back, onto the mesh that the first file carries.
+    EXPECT_THAT(runTrixel({"match", path("b.ptx"), "--mesh", path("a.ptx"), "-o", path("b.ptx")}),
+                EndsWith(0));
+    EXPECT_EQ(contentsOf(path("a.ptx")), contentsOf(path("b.ptx")));
+}
+
+TEST_F(Cli, matchRefusesAnotherMeshAndWritesNothing)
+{
+    runTrixel({"export", project(), "-o", path("a.ptx")});
+    const std::string larger = write(
+        "larger.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 2 4\nf 1 3 2\nf 2 3 4\nf 3 1 4\n");
+    EXPECT_THAT(runTrixel({"match", path("a.ptx"), "--mesh", larger, "-o", path("b.ptx")}),
+                FailsWith(2, "does not fit the mesh in any order"));
+    EXPECT_THAT(
+        runTrixel({"match", path("a.ptx"), "--mesh", path("none.obj"), "-o", path("b.ptx")}),
+        FailsWith(3, "none.obj"));
+    EXPECT_FALSE(std::filesystem::exists(path("b.ptx")));
+}
+
 TEST_F(Cli, diffNamesTheFacesThatDiffer)
 {
     const std::string from = project();
