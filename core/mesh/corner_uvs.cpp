@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trixel {
 
@@ -28,6 +29,15 @@ void addCut(std::span<const Triangle> triangles,
             places.push_back(placeOf(numbers[static_cast<std::size_t>(at)], uvs));
         }
     }
+}
+
+/// Nothing where no corner has a place.
+std::vector<glm::vec2> unlessNone(std::vector<glm::vec2> places)
+{
+    const bool any = std::any_of(places.begin(), places.end(), [](glm::vec2 place) {
+        return !std::isnan(place.x) || !std::isnan(place.y);
+    });
+    return any ? std::move(places) : std::vector<glm::vec2>();
 }
 
 } // namespace
@@ -61,10 +71,21 @@ std::vector<glm::vec2> cornerUvs(std::span<const Triangle> triangles,
         }
     }
     check(places.size() == 3 * triangles.size(), "a place for every corner");
-    const bool any = std::any_of(places.begin(), places.end(), [](glm::vec2 place) {
-        return !std::isnan(place.x) || !std::isnan(place.y);
-    });
-    return any ? std::move(places) : std::vector<glm::vec2>();
+    return unlessNone(std::move(places));
+}
+
+std::vector<glm::vec2> cornerUvsOfVertices(std::span<const Triangle> triangles,
+                                           std::span<const glm::vec2> vertexUvs)
+{
+    std::vector<glm::vec2> places;
+    places.reserve(3 * triangles.size());
+    for (const Triangle& triangle : triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            check(vertex < vertexUvs.size(), "a place for every vertex");
+            places.push_back(vertexUvs[vertex]);
+        }
+    }
+    return unlessNone(std::move(places));
 }
 
 } // namespace trixel

@@ -27,4 +27,9 @@ std::vector<glm::vec2> cornerUvs(std::span<const Triangle> triangles,
                                  const std::vector<UvNumbers>& numbers,
                                  std::span<const glm::vec2> uvs);
 
+/// The same where places belong to vertices.
+/// \param vertexUvs  one for each vertex of the triangles (checked), NaN for none
+std::vector<glm::vec2> cornerUvsOfVertices(std::span<const Triangle> triangles,
+                                           std::span<const glm::vec2> vertexUvs);
+
 } // namespace trixel

@@ -2,6 +2,7 @@
 #include "core/mesh/off_binary.h"
 
 #include "core/mesh/byte_scanner.h"
+#include "core/mesh/corner_uvs.h"
 #include "core/mesh/polygon_cutter.h"
 #include "core/mesh/row_progress.h"
 
@@ -18,6 +19,7 @@ struct OffLayout
 {
     std::endian order = std::endian::big;
     std::size_t vertexExtra = 0;     // bytes after a position
+    bool vertexUvs = false;          // whether the last of them are a place in an image
     bool countedFaceColours = false; // a number of colour components follows each face
     std::size_t faceExtra = 0;       // bytes after a face
 };
@@ -42,6 +44,7 @@ std::vector<OffLayout> possibleLayouts(const OffHeader& header,
     constexpr std::size_t kNumber = 4;
     const std::size_t fixed =
         kNumber * ((header.normals ? 3U : 0U) + (header.textureCoordinates ? 2U : 0U));
+    const bool uvs = header.textureCoordinates;
     const std::vector<std::size_t> colours =
         header.colours ? std::vector<std::size_t>{4, 3, 0} : std::vector<std::size_t>{0};
     std::vector<OffLayout> layouts;
@@ -52,13 +55,13 @@ std::vector<OffLayout> possibleLayouts(const OffHeader& header,
             for (const std::size_t colour : colours) {
                 const std::size_t extra = fixed + kNumber * colour;
                 if (counted) {
-                    layouts.push_back({order, extra, true, 0});
+                    layouts.push_back({order, extra, uvs, true, 0});
                     continue;
                 }
-                layouts.push_back({order, extra, false, 0});
+                layouts.push_back({order, extra, uvs, false, 0});
                 if (header.colours) {
-                    layouts.push_back({order, extra, false, 3 * kNumber});
-                    layouts.push_back({order, extra, false, 4 * kNumber});
+                    layouts.push_back({order, extra, uvs, false, 3 * kNumber});
+                    layouts.push_back({order, extra, uvs, false, 4 * kNumber});
                 }
             }
         }
@@ -105,7 +108,11 @@ public:
 
     Result<TriangleMesh> takeMesh()
     {
-        return cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        auto mesh = cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        if (mesh && m_layout.vertexUvs) {
+            mesh->cornerUvs = cornerUvsOfVertices(mesh->triangles, m_uvs);
+        }
+        return mesh;
     }
 
 private:
@@ -124,6 +131,7 @@ private:
     std::vector<glm::vec3> m_positions;
     PolygonList m_polygons;
     std::vector<std::uint32_t> m_corners; // of the face at hand
+    std::vector<glm::vec2> m_uvs;
 };
 
 Status BinaryOffReader::readCounts()
@@ -168,7 +176,15 @@ Status BinaryOffReader::readVertex()
                 offset, "a finite number", std::to_string(position[axis]));
         }
     }
-    m_scanner.skip(m_layout.vertexExtra);
+    constexpr std::size_t kUvBytes = 2 * sizeof(float);
+    if (m_layout.vertexUvs) {
+        m_scanner.skip(m_layout.vertexExtra - kUvBytes);
+        const float s = m_scanner.read<float>();
+        const float t = m_scanner.read<float>();
+        m_uvs.push_back(std::isfinite(s) && std::isfinite(t) ? glm::vec2(s, t) : glm::vec2(NAN));
+    } else {
+        m_scanner.skip(m_layout.vertexExtra);
+    }
     m_positions.push_back(position);
     return {};
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/corner_uvs.h"
 #include "core/mesh/off_binary.h"
 #include "core/mesh/off_header.h"
 #include "core/mesh/polygon_cutter.h"
 #include "core/mesh/readers.h"
 #include "core/mesh/row_progress.h"
 #include "core/mesh/text_scanner.h"
+
+#include <array>
+#include <cmath>
 
 namespace trixel {
 namespace {
@@ -21,6 +25,7 @@ public:
         , m_scanner(scanner)
         , m_size(scanner.rest().size())
         , m_progress(progress, m_size)
+        , m_last{scanner, scanner}
     {
     }
 
@@ -29,7 +34,11 @@ public:
         if (auto status = readAll(); !status) {
             return tl::unexpected(status.error());
         }
-        return cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        auto mesh = cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        if (mesh && m_header.textureCoordinates) {
+            mesh->cornerUvs = cornerUvsOfVertices(mesh->triangles, m_uvs);
+        }
+        return mesh;
     }
 
 private:
@@ -63,6 +72,7 @@ private:
     Status readVertex();
     Status readFace();
     Result<int> skipNumbers(int most);
+    glm::vec2 lastTwo() const;
 
     OffHeader m_header;
     TextScanner m_scanner;
@@ -73,6 +83,8 @@ private:
     std::vector<glm::vec3> m_positions;
     PolygonList m_polygons;
     std::vector<std::uint32_t> m_corners; // of the face at hand
+    std::array<TextScanner, 2> m_last;    // before the last two numbers skipped
+    std::vector<glm::vec2> m_uvs;
 };
 
 Result<std::size_t> AsciiOffReader::readCount(const std::string& what, std::size_t leastBytes)
@@ -120,11 +132,22 @@ Result<int> AsciiOffReader::skipNumbers(int most)
         if (numbers == most) {
             return m_scanner.expected("the end of the line");
         }
+        m_last = {m_last[1], m_scanner};
         if (!m_scanner.skipNumber()) {
             return m_scanner.expected("a number");
         }
     }
     return numbers;
+}
+
+// Of the numbers skipped; none where one of them is not finite.
+glm::vec2 AsciiOffReader::lastTwo() const
+{
+    TextScanner first = m_last[0];
+    TextScanner second = m_last[1];
+    const auto s = first.finiteFloat();
+    const auto t = second.finiteFloat();
+    return s && t ? glm::vec2(*s, *t) : glm::vec2(NAN);
 }
 
 Status AsciiOffReader::readVertex()
@@ -147,6 +170,9 @@ Status AsciiOffReader::readVertex()
         return m_scanner.expected("more numbers for a vertex of this kind of OFF");
     }
     m_positions.push_back(*position);
+    if (m_header.textureCoordinates) {
+        m_uvs.push_back(lastTwo()); // they come last
+    }
     m_scanner.skipLine();
     return {};
 }

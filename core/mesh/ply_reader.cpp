@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/corner_uvs.h"
 #include "core/mesh/ply_header.h"
 #include "core/mesh/ply_source.h"
 #include "core/mesh/polygon_cutter.h"
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace trixel {
 namespace {
@@ -27,7 +30,18 @@ struct MeshLayout
     std::array<std::size_t, 3> coordinates{}; // which properties are x, y, z
     const PlyElement* faces = nullptr;
     std::size_t corners = 0; // which property lists a face's vertices
+    // Where the properties are that are uvs: of vertices, and lists of two numbers a corner.
+    std::optional<std::array<std::size_t, 2>> vertexUvs;
+    std::optional<std::size_t> faceUvs;
 };
+
+constexpr std::string_view kFaceUvs = "texcoord";
+constexpr std::array<std::array<std::string_view, 2>, 4> kVertexUvs{{
+    {"s", "t"},
+    {"u", "v"},
+    {"texture_u", "texture_v"},
+    {"texture_s", "texture_t"},
+}};
 
 const PlyElement* findElement(const PlyHeader& header, std::string_view name)
 {
@@ -62,6 +76,32 @@ Result<std::size_t> findProperty(const PlyElement& element,
     return *found;
 }
 
+bool has(const PlyElement& element, std::string_view name)
+{
+    return std::ranges::find(element.properties, name, &PlyProperty::name) !=
+           element.properties.end();
+}
+
+// The first pair of single numbers that stand for a place in an image; others are passed over.
+Status layOutVertexUvs(const PlyElement& element, MeshLayout& layout)
+{
+    for (const auto& names : kVertexUvs) {
+        if (!has(element, names[0]) || !has(element, names[1])) {
+            continue;
+        }
+        const auto first = findProperty(element, {names[0]});
+        const auto second = findProperty(element, {names[1]});
+        if (!first || !second) {
+            return tl::unexpected(first ? second.error() : first.error());
+        }
+        if (!element.properties[*first].isList() && !element.properties[*second].isList()) {
+            layout.vertexUvs = {*first, *second};
+            return {};
+        }
+    }
+    return {};
+}
+
 Status layOutVertices(const PlyElement& element, MeshLayout& layout)
 {
     layout.vertices = &element;
@@ -81,7 +121,7 @@ Status layOutVertices(const PlyElement& element, MeshLayout& layout)
         return expectedInHeader(
             element.line, "fewer than 2^31 vertices", std::to_string(element.rows));
     }
-    return {};
+    return layOutVertexUvs(element, layout);
 }
 
 Status layOutFaces(const PlyElement& element, MeshLayout& layout)
@@ -96,6 +136,15 @@ Status layOutFaces(const PlyElement& element, MeshLayout& layout)
         return expectedInHeader(property.line, "a list of integers", "another type");
     }
     layout.corners = *at;
+    if (has(element, kFaceUvs)) {
+        const auto uvs = findProperty(element, {kFaceUvs});
+        if (!uvs) {
+            return tl::unexpected(uvs.error());
+        }
+        if (element.properties[*uvs].isList()) {
+            layout.faceUvs = *uvs;
+        }
+    }
     return {};
 }
 
@@ -159,10 +208,24 @@ public:
         if (auto status = m_source.expectEnd(); !status) {
             return tl::unexpected(status.error());
         }
-        return cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        auto mesh = cutPolygons(std::move(m_positions), std::span(&m_polygons, 1));
+        if (mesh) {
+            mesh->cornerUvs = takeUvs(mesh->triangles);
+        }
+        return mesh;
     }
 
 private:
+    // Those of the faces' corners, else those of the vertices.
+    std::vector<glm::vec2> takeUvs(std::span<const Triangle> triangles)
+    {
+        if (m_layout.faceUvs && !m_uvs.empty()) {
+            return cornerUvs(triangles, std::span(&m_polygons, 1), {std::move(m_uvNumbers)}, m_uvs);
+        }
+        return m_layout.vertexUvs ? cornerUvsOfVertices(triangles, m_vertexUvs)
+                                  : std::vector<glm::vec2>();
+    }
+
     // As many rows as the header says must fit the file, before memory is taken for them.
     Status checkRows(const PlyElement& element) const
     {
@@ -193,6 +256,11 @@ private:
             for (int axis = 0; axis < 3; ++axis) {
                 m_axes[m_layout.coordinates[static_cast<std::size_t>(axis)]] = axis;
             }
+            if (m_layout.vertexUvs) {
+                m_vertexUvs.reserve(element.rows);
+                m_axes[(*m_layout.vertexUvs)[0]] = kU;
+                m_axes[(*m_layout.vertexUvs)[1]] = kV;
+            }
         } else if (&element == m_layout.faces) {
             m_polygons.reserve(element.rows);
         }
@@ -216,25 +284,81 @@ private:
         if (&element == m_layout.vertices) {
             return readVertex(element);
         }
+        const bool isFace = &element == m_layout.faces;
+        m_faceUvs.clear();
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
-            const bool isFace = &element == m_layout.faces && i == m_layout.corners;
-            auto status =
-                isFace ? readFace(element.properties[i]) : skipProperty(element.properties[i]);
+            const PlyProperty& property = element.properties[i];
+            auto status = isFace && i == m_layout.corners   ? readFace(property)
+                          : isFace && i == m_layout.faceUvs ? readFaceUvs(property)
+                                                            : skipProperty(property);
             if (!status) {
                 return status;
             }
         }
+        return isFace && m_layout.faceUvs ? takeFaceUvs() : Status();
+    }
+
+    // Two numbers a corner, or none.
+    Status readFaceUvs(const PlyProperty& property)
+    {
+        const auto numbers = m_source.integer(*property.listLengthType);
+        if (!numbers || *numbers < 0 || *numbers % 2 != 0) {
+            return m_source.expected("an even length of list " + quoted(property.name));
+        }
+        if (static_cast<std::size_t>(*numbers) >
+            m_source.room() / Source::leastBytes(property.type)) {
+            return m_source.expected("a list " + quoted(property.name) +
+                                     " that fits the rest of the file");
+        }
+        for (std::int64_t i = 0; i < *numbers; i += 2) {
+            const auto s = m_source.anyNumber(property.type);
+            const auto t = s ? m_source.anyNumber(property.type) : s;
+            if (!s || !t) {
+                return m_source.expected("a number of list " + quoted(property.name));
+            }
+            m_faceUvs.push_back(placeOf(*s, *t));
+        }
         return {};
+    }
+
+    Status takeFaceUvs()
+    {
+        if (!m_faceUvs.empty() && m_faceUvs.size() != m_corners.size()) {
+            return m_source.expected(std::to_string(2 * m_corners.size()) + " numbers in list " +
+                                     quoted(kFaceUvs) + ", two a corner, before a list of " +
+                                     std::to_string(2 * m_faceUvs.size()) + " ends");
+        }
+        for (std::size_t i = 0; i < m_corners.size(); ++i) {
+            m_uvNumbers.push_back(m_faceUvs.empty() ? kNoUv
+                                                    : static_cast<std::uint32_t>(m_uvs.size() + i));
+        }
+        m_uvs.insert(m_uvs.end(), m_faceUvs.begin(), m_faceUvs.end());
+        return {};
+    }
+
+    // A corner has both coordinates or none.
+    static glm::vec2 placeOf(float s, float t)
+    {
+        return std::isnan(s) || std::isnan(t) ? glm::vec2(NAN) : glm::vec2(s, t);
     }
 
     Status readVertex(const PlyElement& element)
     {
         glm::vec3 position(0);
+        glm::vec2 uv(NAN);
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
             if (m_axes[i] < 0) {
                 if (auto status = skipProperty(element.properties[i]); !status) {
                     return status;
                 }
+                continue;
+            }
+            if (m_axes[i] >= kU) {
+                const auto value = m_source.anyNumber(element.properties[i].type);
+                if (!value) {
+                    return m_source.expected("a number for " + quoted(element.properties[i].name));
+                }
+                uv[m_axes[i] - kU] = *value;
                 continue;
             }
             const auto value = m_source.coordinate(element.properties[i].type);
@@ -244,6 +368,9 @@ private:
             position[m_axes[i]] = *value;
         }
         m_positions.push_back(position);
+        if (m_layout.vertexUvs) {
+            m_vertexUvs.push_back(placeOf(uv.x, uv.y));
+        }
         return {};
     }
 
@@ -289,6 +416,9 @@ private:
         return {};
     }
 
+    static constexpr int kU = 3; // after the three axes
+    static constexpr int kV = 4;
+
     const PlyHeader& m_header;
     const MeshLayout& m_layout;
     Source m_source;
@@ -298,6 +428,10 @@ private:
     std::vector<int> m_axes; // of the vertex's properties; -1 for others
     PolygonList m_polygons;
     std::vector<std::uint32_t> m_corners; // of the face at hand
+    std::vector<glm::vec2> m_faceUvs;     // of the face at hand
+    std::vector<glm::vec2> m_uvs;         // of all faces
+    UvNumbers m_uvNumbers;                // of all faces' corners
+    std::vector<glm::vec2> m_vertexUvs;
 };
 
 } // namespace

@@ -48,6 +48,16 @@ public:
         m_before = m_scanner;
         return m_scanner.finiteFloat();
     }
+    /// NaN for a number that is not finite or does not fit a float.
+    std::optional<float> anyNumber(PlyType type)
+    {
+        if (const auto value = coordinate(type)) {
+            return value;
+        }
+        m_scanner = m_before;
+        return m_scanner.skipNumber() ? std::optional(std::numeric_limits<float>::quiet_NaN())
+                                      : std::nullopt;
+    }
     std::optional<std::int64_t> integer(PlyType /*type*/)
     {
         m_before = m_scanner;
@@ -103,6 +113,15 @@ public:
             return std::nullopt;
         }
         return static_cast<float>(*value);
+    }
+    std::optional<float> anyNumber(PlyType type)
+    {
+        const auto value = number<double>(type);
+        if (!value) {
+            return std::nullopt;
+        }
+        const bool fits = std::abs(*value) <= double{std::numeric_limits<float>::max()};
+        return fits ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN();
     }
     std::optional<std::int64_t> integer(PlyType type) { return number<std::int64_t>(type); }
     bool skip(PlyType type, std::size_t count)

@@ -2,7 +2,9 @@
 #include "core/mesh/mesh_reader.h"
 #include "tests/core/mesh/test_data.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
+#include <utility>
 
 namespace trixel {
 namespace {
@@ -87,6 +89,34 @@ TEST(OffReaderTest, readsBinaryAsGeomviewWritesIt)
         EXPECT_THAT(errorOf(file.substr(0, file.size() - 1)), HasSubstr("byte "));
         EXPECT_THAT(errorOf(file + "x"), HasSubstr("expected the end of the file, found 1 bytes"));
     }
+}
+
+TEST(OffReaderTest, placesInAnImageAreTheLastNumbersOfAVertex)
+{
+    const auto text = read("STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 .25 .5\n1 0 0 0 0 1 1 1 1 1 0 1\n"
+                           "0 1 0 0 0 1 nan 1\n3 0 1 2\n");
+    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text->hasUvs());
+    EXPECT_EQ(text->uvs(FaceId{0})[0], glm::vec2(0.25F, 0.5F));
+    EXPECT_EQ(text->uvs(FaceId{0})[1], glm::vec2(0, 1));
+    EXPECT_TRUE(std::isnan(text->uvs(FaceId{0})[2].y)) << "both of its numbers or none";
+
+    std::string binary = "STOFF BINARY\n";
+    for (const std::int32_t count : {3, 1, 0}) {
+        binary += bigEndian(count);
+    }
+    for (const auto& [x, y] : {std::pair(0.0F, 0.0F), {1.0F, 0.0F}, {0.0F, 1.0F}}) {
+        binary += bigEndian(x) + bigEndian(y) + bigEndian(0.0F) + bigEndian(x / 4) + bigEndian(y);
+    }
+    for (const std::int32_t number : {3, 0, 1, 2, 0}) {
+        binary += bigEndian(number);
+    }
+    const auto mesh = read(binary);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh->hasUvs());
+    EXPECT_EQ(mesh->uvs(FaceId{0})[1], glm::vec2(0.25F, 0));
+    EXPECT_EQ(mesh->uvs(FaceId{0})[2], glm::vec2(0, 1));
+    EXPECT_FALSE(read("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n")->hasUvs());
 }
 
 TEST(OffReaderTest, errorsNameTheirLine)

@@ -2,7 +2,9 @@
 #include "core/mesh/mesh_reader.h"
 #include "tests/core/mesh/test_data.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
+#include <utility>
 
 namespace trixel {
 namespace {
@@ -155,6 +157,128 @@ TEST(PlyReaderTest, headersThatAreNoMeshAreRefused)
     EXPECT_EQ(errorOf("ply\nformat binary 1.0\n"),
               "line 2: expected ascii, binary_little_endian or binary_big_endian, found 'binary'");
     EXPECT_EQ(errorOf("plyx\n"), "line 1: expected 'ply', found 'plyx'");
+}
+
+TEST(PlyReaderTest, uvsOfVerticesByAnyOfTheirNames)
+{
+    for (const auto& [u, v] : {std::pair("s", "t"),
+                               std::pair("u", "v"),
+                               std::pair("texture_u", "texture_v"),
+                               std::pair("texture_s", "texture_t")}) {
+        const auto mesh = read("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                               "property float " +
+                               std::string(v) +
+                               "\nproperty float y\n"
+                               "property float z\nproperty double " +
+                               std::string(u) +
+                               "\nelement face 1\nproperty list uchar int vertex_indices\n"
+                               "end_header\n0 .1 0 0 .2\n1 .3 0 0 .4\n1 .5 1 0 .6\n0 .7 1 0 nan\n"
+                               "4 0 1 2 3\n");
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_EQ(mesh->cornerUvs.size(), 6U);
+        EXPECT_EQ(mesh->uvs(FaceId{0})[0], glm::vec2(0.2F, 0.1F));
+        EXPECT_EQ(mesh->uvs(FaceId{0})[1], glm::vec2(0.4F, 0.3F));
+        // The fourth has none: both of its numbers count or neither.
+        const auto last = mesh->uvs(FaceId{1});
+        const Triangle& triangle = mesh->triangles[1];
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_EQ(std::isnan(last[c].x) && std::isnan(last[c].y), triangle[c] == 3);
+        }
+    }
+}
+
+TEST(PlyReaderTest, uvsOfCornersComeBeforeThoseOfVertices)
+{
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float s\nproperty float t\nelement face 2\n";
+    const std::string vertices = "0 0 0 9 9\n1 0 0 9 9\n0 1 0 9 9\n1 1 0 9 9\n";
+    const std::string indices = "property list uchar int vertex_indices\n";
+    const std::string places = "property list uchar float texcoord\n";
+    const auto expectPlaces = [](const Result<TriangleMesh>& mesh) {
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_EQ(mesh->cornerUvs.size(), 6U);
+        EXPECT_EQ(mesh->uvs(FaceId{0})[2], glm::vec2(0.5F, 0.6F));
+        EXPECT_TRUE(std::isnan(mesh->uvs(FaceId{1})[0].x)); // an empty list: no places
+    };
+    expectPlaces(read(header + indices + places + "end_header\n" + vertices +
+                      "3 0 1 2 6 .1 .2 .3 .4 .5 .6\n3 3 2 1 0\n"));
+    expectPlaces(read(header + places + indices + "end_header\n" + vertices +
+                      "6 .1 .2 .3 .4 .5 .6 3 0 1 2\n0 3 3 2 1\n"));
+}
+
+TEST(PlyReaderTest, uvsOfCornersFollowPolygonsThroughTheCut)
+{
+    const auto pack = [](auto value) { return littleEndian(value); };
+    std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\n"
+                       "property float y\nproperty float z\nelement face 1\n"
+                       "property list uchar uchar vertex_indices\n"
+                       "property list int double texcoord\nend_header\n";
+    for (const auto& [x, y] : {std::pair(0.0F, 0.0F), {2.0F, 0.0F}, {2.0F, 2.0F}, {0.0F, 2.0F}}) {
+        text += pack(x) + pack(y) + pack(0.0F);
+    }
+    text += pack(std::uint8_t{4});
+    for (std::uint8_t k = 0; k < 4; ++k) {
+        text += pack(k);
+    }
+    text += pack(std::int32_t{8});
+    for (const double place : {0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0}) {
+        text += pack(place);
+    }
+    const auto mesh = read(text);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_EQ(mesh->cornerUvs.size(), 6U);
+    for (std::uint32_t f = 0; f < 2; ++f) {
+        for (std::size_t c = 0; c < 3; ++c) { // places are half of the positions
+            EXPECT_EQ(2.0F * mesh->uvs(FaceId{f})[c], glm::vec2(mesh->corners(FaceId{f})[c]));
+        }
+    }
+}
+
+TEST(PlyReaderTest, whatOnlyLooksLikeUvsIsPassedOver)
+{
+    const std::string data = "end_header\n0 0 0 1 5\n1 0 0 1 5\n0 1 0 1 5\n3 0 1 2\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    const std::string start = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                              "property float y\nproperty float z\n";
+    const auto alone = read(start + "property float s\nproperty float q\n" + faces + data);
+    ASSERT_TRUE(alone) << alone.error().message;
+    EXPECT_FALSE(alone->hasUvs());
+    const auto list = read(start + "property list int int s\nproperty float t\n" + faces +
+                           "end_header\n0 0 0 1 7 5\n1 0 0 0 5\n0 1 0 1 7 5\n3 0 1 2\n");
+    ASSERT_TRUE(list) << list.error().message;
+    EXPECT_FALSE(list->hasUvs());
+    const auto single = read(start + faces +
+                             "property float texcoord\nend_header\n"
+                             "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n");
+    ASSERT_TRUE(single) << single.error().message;
+    EXPECT_FALSE(single->hasUvs());
+    // No number at all.
+    const auto none = read(start + "property float s\nproperty float t\n" + faces +
+                           "end_header\n0 0 0 nan 1\n1 0 0 inf 1\n0 1 0 1 1e99\n3 0 1 2\n");
+    ASSERT_TRUE(none) << none.error().message;
+    EXPECT_FALSE(none->hasUvs());
+}
+
+TEST(PlyReaderTest, uvsThatDoNotAddUpAreRefused)
+{
+    const std::string start = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                              "property float y\nproperty float z\nelement face 1\n"
+                              "property list uchar int vertex_indices\n"
+                              "property list int float texcoord\nend_header\n"
+                              "0 0 0\n1 0 0\n0 1 0\n";
+    EXPECT_THAT(errorOf(start + "3 0 1 2 4 0 0 1 1\n"),
+                testing::AllOf(HasSubstr("line 14"), HasSubstr("6 numbers in list 'texcoord'")));
+    EXPECT_THAT(errorOf(start + "3 0 1 2 5 0 0 1 1 0\n"), HasSubstr("an even length"));
+    EXPECT_THAT(errorOf(start + "3 0 1 2 -2\n"), HasSubstr("an even length"));
+    EXPECT_THAT(errorOf(start + "3 0 1 2 6 0 0 1 1 0\n"), HasSubstr("a number of list"));
+    EXPECT_THAT(errorOf(start + "3 0 1 2 6 0 0 1 1 0 x\n"), HasSubstr("a number of list"));
+    EXPECT_THAT(errorOf(start + "3 0 1 2 2000000000 0 0\n"), HasSubstr("fits the rest"));
+    EXPECT_THAT(errorOf("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                        "property float y\nproperty float z\nproperty float s\nproperty float t\n"
+                        "property float s\nelement face 1\n"
+                        "property list uchar int vertex_indices\nend_header\n"),
+                HasSubstr("property 's' once"));
 }
 
 TEST(PlyReaderTest, doublesBeyondFloatAreRefused)
