@@ -2,24 +2,13 @@
 #include "app/cli/bake_images.h"
 
 #include "core/io/image/read_image.h"
+#include "core/io/image/tile_files.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
-#include <system_error>
+#include <vector>
 
 namespace trixel::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::string_view kUdim = "<UDIM>";
-
-struct NamedTile
-{
-    UdimTile tile;
-    fs::path path;
-};
 
 template <class Value>
 struct Named
@@ -67,48 +56,6 @@ Result<SamplerOptions> samplerOptions(const BakeImageArguments& arguments, Mappi
         arguments.repeats || mapping == MappingKind::Sphere ? ImageWrap::Repeat : ImageWrap::Clamp;
     options.wrapT = arguments.repeats ? ImageWrap::Repeat : ImageWrap::Clamp;
     return options;
-}
-
-/// The files that a name with <UDIM> stands for, in the order of their tiles.
-Result<std::vector<NamedTile>> tilesOf(const std::string& pattern)
-{
-    const fs::path whole(pattern);
-    const std::string name = whole.filename().string();
-    const std::size_t at = name.find(kUdim);
-    if (at == std::string::npos) {
-        return std::vector<NamedTile>{{UdimTile{}, whole}};
-    }
-    const std::string before = name.substr(0, at);
-    const std::string after = name.substr(at + kUdim.size());
-    const fs::path folder = whole.has_parent_path() ? whole.parent_path() : fs::path(".");
-    std::vector<NamedTile> tiles;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const std::string file = entry->path().filename().string();
-        constexpr std::size_t kDigits = 4;
-        if (file.size() != before.size() + kDigits + after.size() || !file.starts_with(before) ||
-            !file.ends_with(after)) {
-            continue;
-        }
-        const std::string digits = file.substr(before.size(), kDigits);
-        const bool isNumber =
-            std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-        const auto tile = isNumber ? udimTile(std::stoi(digits)) : std::nullopt;
-        if (tile) {
-            tiles.push_back({*tile, entry->path()});
-        }
-    }
-    if (error) {
-        return pathError(folder.string() + ": cannot be read: " + error.message());
-    }
-    if (tiles.empty()) {
-        return pathError(pattern + ": there is no such file for any tile from 1001 on");
-    }
-    std::sort(tiles.begin(), tiles.end(), [](const NamedTile& a, const NamedTile& b) {
-        return a.tile < b.tile;
-    });
-    return tiles;
 }
 
 } // namespace
@@ -160,7 +107,7 @@ Result<BakeImages> readBakeImages(const BakeImageArguments& arguments,
     if (!options || !color) {
         return tl::unexpected(options ? color.error() : options.error());
     }
-    const auto files = tilesOf(arguments.image);
+    const auto files = tileFiles(arguments.image);
     if (!files) {
         return tl::unexpected(files.error());
     }

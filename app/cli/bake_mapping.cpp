@@ -5,16 +5,13 @@
 #include "core/mapping/projection.h"
 #include "core/mapping/sphere_mapping.h"
 #include "core/mapping/uv_mapping.h"
-#include "core/study/views/view_camera.h"
+#include "core/study/views/camera_clip.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <numbers>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace trixel::app {
@@ -124,37 +121,11 @@ MadeMapping sphereMapping(const BakeMappingArguments& arguments, const Surface& 
     if (!centre || !axis || !turn) {
         return tl::unexpected(!centre ? centre.error() : !axis ? axis.error() : turn.error());
     }
-    if (!(glm::length(*axis) > 0)) {
+    const auto turned = sphereTurn(*axis, turn->front());
+    if (!turned) {
         return contentsError("--axis: expected a direction, found none");
     }
-    const glm::dvec3 up = glm::normalize(*axis);
-    // Which way is front where the axis leaves it open: +z, or -y for an axis along z.
-    const glm::dvec3 hint = std::abs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, -1, 0);
-    const glm::dvec3 ahead = glm::normalize(hint - glm::dot(hint, up) * up);
-    const double angle = turn->front() * std::numbers::pi / 180;
-    const glm::dvec3 front = std::cos(angle) * ahead + std::sin(angle) * glm::cross(up, ahead);
-    const glm::dvec3 right = glm::cross(up, front);
-    // Rows of the turn are the sphere's axes: x to the right of who stands in its middle and looks
-    // at +z from outside, y up, z to the front.
-    const glm::dmat3 turned = glm::transpose(glm::dmat3(right, up, front));
-    return std::make_unique<const SphereMapping>(surface.mesh(), *centre, turned);
-}
-
-/// World to clip space, -1…1 over the picture.
-glm::dmat4 toClip(const ViewCamera& camera)
-{
-    const glm::dvec3 forward = camera.forward();
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::dvec3 up = glm::cross(right, forward);
-    const double height = std::tan(0.5 * camera.fovY * std::numbers::pi / 180);
-    const double width = height * camera.width / camera.height;
-    // Rows of a matrix: across, up, depth (in front of -1 near by), distance.
-    const std::array<glm::dvec4, 4> rows = {
-        glm::dvec4(right / width, -glm::dot(right, camera.position) / width),
-        glm::dvec4(up / height, -glm::dot(up, camera.position) / height),
-        glm::dvec4(forward, -glm::dot(forward, camera.position) - 1),
-        glm::dvec4(forward, -glm::dot(forward, camera.position))};
-    return glm::transpose(glm::dmat4(rows[0], rows[1], rows[2], rows[3]));
+    return std::make_unique<const SphereMapping>(surface.mesh(), *centre, *turned);
 }
 
 Result<ViewCamera> cameraOf(const BakeMappingArguments& arguments)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
 #include "core/mapping/mapping.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -8,6 +9,12 @@
 #include <glm/vec3.hpp>
 
 namespace trixel {
+
+/// What `SphereMapping` takes as `turned`, for a sphere whose poles lie on an axis. The image's
+/// middle lies towards +z, or towards -y where the axis is along z, and then turned.
+/// \param axis   from the lower pole to the upper, of any length; fails if it is 0 or not finite
+/// \param turn   degrees about the axis
+Result<glm::dmat3> sphereTurn(glm::dvec3 axis, double turn);
 
 /// By the direction from a centre: `sphereUv`. The image goes round (repeats in s) and ends at the
 /// poles; footprints do not see the seam and are limited to one period at the poles.

@@ -27,6 +27,7 @@
 #include "ui/window/edit_actions.h"
 #include "ui/window/file_actions.h"
 #include "ui/window/filtering_actions.h"
+#include "ui/window/import_actions.h"
 #include "ui/window/inspect_actions.h"
 #include "ui/window/inspector_panels.h"
 #include "ui/window/job_bar.h"
@@ -162,6 +163,7 @@ void MainWindow::makePanels()
     m_panels = new WorkPanels(work, frames, this);
     new StudyPanels(work, frames, this);
     m_inspectors = new InspectorPanels(work, frames, this);
+    m_importActions = new ImportActions(work, frames, this);
     connect(&m_panels->seams(), &SeamPanel::reported, m_inspectors, &InspectorPanels::showSeams);
 }
 
@@ -182,6 +184,7 @@ void MainWindow::makeMenus()
 
     QMenu* file = menuBar()->addMenu(tr("&File"));
     m_fileActions->fillMenu(*file);
+    m_importActions->fillMenu(*file);
     file->addSeparator();
     m_pictureActions->fillMenu(*file);
     file->addSeparator();
@@ -401,7 +404,9 @@ void MainWindow::dropEvent(QDropEvent* event)
         }
     }
     event->acceptProposedAction();
-    m_fileActions->openDropped(paths);
+    if (!m_importActions->takeDropped(paths)) {
+        m_fileActions->openDropped(paths);
+    }
 }
 
 void MainWindow::restore()

@@ -21,6 +21,7 @@ class BrushActions;
 class CardActions;
 class EditActions;
 class FileActions;
+class ImportActions;
 class InspectActions;
 class InspectorPanels;
 class LevelActions;
@@ -99,6 +100,7 @@ private:
     ViewMap* m_viewMap = nullptr; ///< a child of the viewport
     QLabel* m_hint = nullptr;
     FileActions* m_fileActions = nullptr;
+    ImportActions* m_importActions = nullptr;
     EditActions* m_editActions = nullptr;
     SelectionActions* m_selectionActions = nullptr;
     LevelActions* m_levelActions = nullptr;

@@ -2,12 +2,15 @@
 #include "core/lattice/texel.h"
 #include "core/mapping/bake.h"
 #include "core/mapping/bake_channels.h"
+#include "core/mapping/faces_in_reach.h"
 #include "core/mapping/projection.h"
 #include "core/texture/stored_faces.h"
 #include "tests/core/cancel_after.h"
 #include "tests/core/test_meshes.h"
 
 #include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
 namespace trixel {
@@ -362,6 +365,48 @@ TEST(BakeTest, tilesTakeTheirOwnImage)
     const auto mixed = ImageTiles::make(images, {}, Threads{1});
     ASSERT_FALSE(mixed);
     EXPECT_THAT(mixed.error().message, HasSubstr("grey: its channels differ"));
+}
+
+TEST(FacesInReachTest, leavesOutWhatTheBakeLeavesOut)
+{
+    // Half of a grid of 8 x 8, seen straight and from a camera that some of it lies behind.
+    const TriangleMesh mesh = test::gridMesh(8);
+    const TexelStore store =
+        storeOf(mesh.faceCount(), {TexelType::Float, 3, std::nullopt}, 3, 9.0F);
+    const ImageTiles image = tilesOf(imageOf(4, [](int x, int y, int) { return x + y; }));
+    Projection half = planarProjection({0.3, 0.2, 0}, {0.4, 0, 0}, {0, 0.5, 0}).value();
+    Projection camera =
+        cameraProjection(glm::perspective(1.0, 1.0, 0.1, 10.0) *
+                         glm::lookAt(glm::dvec3(0.5, 0.5, 0.3), glm::dvec3(0.5, 1, 0), {0, 0, 1}))
+            .value();
+    camera.visibleOnly = false;
+    for (const Projection& projection : {half, camera}) {
+        for (const bool frontOnly : {false, true}) {
+            Projection one = projection;
+            one.frontOnly = frontOnly;
+            const std::vector<FaceId> reached =
+                facesInReach(one, mesh, allFaces(store), Threads{2});
+            EXPECT_LT(reached.size(), mesh.faceCount());
+            EXPECT_GT(reached.size(), 4U);
+            const ProjectionMapping mapping(mesh, one, nullptr);
+            TexelStore all = store;
+            TexelStore some = store;
+            NoProgress progress;
+            ASSERT_TRUE(bake(all, allFaces(store), mapping, image, {}, progress));
+            ASSERT_TRUE(bake(some, reached, mapping, image, {}, progress));
+            EXPECT_TRUE(sameStores(all, some));
+        }
+    }
+}
+
+TEST(FacesInReachTest, leavesOutFacesThatTurnTheirBack)
+{
+    const TriangleMesh mesh = test::gridMesh(4);
+    const TexelStore store = storeOf(mesh.faceCount(), {TexelType::Float, 3, std::nullopt}, 0, 0);
+    Projection behind = planarProjection({1, 0, 0}, {-1, 0, 0}, {0, 1, 0}).value();
+    EXPECT_EQ(facesInReach(behind, mesh, allFaces(store), Threads{1}).size(), mesh.faceCount());
+    behind.frontOnly = true;
+    EXPECT_TRUE(facesInReach(behind, mesh, allFaces(store), Threads{1}).empty());
 }
 
 } // namespace
