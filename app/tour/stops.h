@@ -31,6 +31,7 @@ public:
     Status faceMips();
     Status chosenLevels();
     Status fittedLevels();
+    Status importedImage();
     Status newProject();
     Status exportedTexture();
     Status exportedAtlas();
@@ -59,6 +60,8 @@ private:
     /// Opens the dialog and asks for a file of that name; pictures it once its size is said.
     Status askForExport(const std::string& file, const std::string& pictureName);
     Status copiedPicture();
+    /// Drags the corner of an image that a screen reader calls by that name.
+    Status draggedCorner(const QString& name, QPoint by);
     /// Runs the command that the palette lists first for the words.
     Status command(const QString& words);
 

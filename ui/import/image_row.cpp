@@ -55,19 +55,9 @@ ImageRow::ImageRow(BackgroundJobs& jobs, QFormLayout& form, QObject* parent)
     m_tiles->setToolTip(tr("Read all files that differ in the tile's number (UDIM) alone, each for "
                            "its own tile of the mesh's uvs"));
     m_tiles->hide();
-    m_color->setAccessibleName(tr("What the image’s colours mean"));
-    m_color->setToolTip(
-        tr("Colours are averaged in linear light: sRGB numbers are converted first, "
-           "raw ones are data and taken as they are"));
-    m_channel->setAccessibleName(tr("Channels of the image"));
-    m_channel->setToolTip(
-        tr("All colours, each to its own channel of the texels; or one channel of "
-           "the image for all of them"));
     form.addRow(tr("Ima&ge"), m_path);
     form.addRow(QString(), m_about);
     form.addRow(QString(), m_tiles);
-    form.addRow(tr("C&olours"), m_color);
-    form.addRow(tr("Cha&nnels"), m_channel);
 
     m_typing.setSingleShot(true);
     m_typing.setInterval(kTypingPauseMs);
@@ -77,6 +67,20 @@ ImageRow::ImageRow(BackgroundJobs& jobs, QFormLayout& form, QObject* parent)
     connect(m_color, &QComboBox::currentIndexChanged, this, &ImageRow::meaningChanged);
     connect(m_channel, &QComboBox::currentIndexChanged, this, &ImageRow::meaningChanged);
     showImage();
+}
+
+void ImageRow::addMeaning(QFormLayout& form)
+{
+    m_color->setAccessibleName(tr("What the image’s colours mean"));
+    m_color->setToolTip(
+        tr("Colours are averaged in linear light: sRGB numbers are converted first, "
+           "raw ones are data and taken as they are"));
+    m_channel->setAccessibleName(tr("Channels of the image"));
+    m_channel->setToolTip(
+        tr("All colours, each to its own channel of the texels; or one channel of "
+           "the image for all of them"));
+    form.addRow(tr("C&olours"), m_color);
+    form.addRow(tr("Cha&nnels"), m_channel);
 }
 
 QString ImageRow::name() const

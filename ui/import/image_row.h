@@ -27,8 +27,10 @@ class ImageRow : public QObject
     Q_OBJECT
 
 public:
-    /// Adds its rows to a form. \param jobs  outlive this
+    /// Adds the rows of the file to a form. \param jobs  outlive this
     ImageRow(BackgroundJobs& jobs, QFormLayout& form, QObject* parent);
+    /// Adds those of what its numbers mean.
+    void addMeaning(QFormLayout& form);
 
     /// Null where there is none, and while one is read.
     const std::shared_ptr<const ImportImages>& images() const { return m_images; }

@@ -3,6 +3,7 @@
 
 #include "core/io/image/read_image.h"
 #include "core/io/image/tile_files.h"
+#include "ui/import/image_thumbnail.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,6 +12,8 @@
 namespace trixel::ui {
 
 namespace {
+
+constexpr int kSmall = 512;
 
 /// One channel alone, as an image of its own.
 Image channelOf(const Image& image, std::uint16_t channel)
@@ -61,6 +64,7 @@ Result<std::shared_ptr<const ImportImages>> readImportImages(const std::filesyst
         }
         read->images.push_back({file.tile, std::move(*image), file.path.filename().string()});
     }
+    read->small = thumbnailOf(read->first(), kSmall);
     return std::shared_ptr<const ImportImages>(std::move(read));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QImage>
+
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mapping/image_tiles.h"
@@ -19,6 +21,7 @@ struct ImportImages
 {
     std::filesystem::path path; ///< as it was asked for
     std::vector<TileImage> images;
+    QImage small; ///< the first, for the eye
 
     const Image& first() const { return images.front().image; }
     bool hasTiles() const { return images.size() > 1 || images.front().tile != UdimTile{}; }

@@ -60,7 +60,7 @@ void ImportOptions::makeReach(QFormLayout& form)
     m_repeats->setToolTip(tr("Where the mesh's uvs leave the image it begins again; off, they must "
                              "not leave it"));
     for (QCheckBox* box : {m_frontOnly, m_visibleOnly, m_repeats}) {
-        form.addRow(QString(), box);
+        form.addRow(box);
         connect(box, &QCheckBox::toggled, this, &ImportOptions::changed);
     }
 }
@@ -87,15 +87,13 @@ void ImportOptions::makeLookup(QFormLayout& form)
         tr("One pixel, unchanged: for masks, numbers and pixel art"));
     m_lookup->setAccessibleName(tr("How the image is looked up"));
     m_lookup->setToolTip(tr("Which of the image's pixels make a texel"));
-    m_index->addItem(tr("Ends at its corner pixels' borders"),
-                     static_cast<int>(TableIndex::Centres));
-    m_index->addItem(tr("Ends at its corner pixels' middles"),
+    m_index->addItem(tr("At pixel borders (texel centres)"), static_cast<int>(TableIndex::Centres));
+    m_index->addItem(tr("At pixel centres (corner-aligned)"),
                      static_cast<int>(TableIndex::Corners));
     m_index->setAccessibleName(tr("Where the image ends"));
     m_index->setToolTip(tr("At the borders of its outermost pixels, as graphics cards have it "
                            "(texel centres); or at their middles, as textbooks have tables of "
                            "values (corner-aligned)"));
-    m_index->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     form.addRow(tr("&Lookup"), m_lookup);
     form.addRow(tr("E&dges"), m_index);
     connect(m_lookup, &QComboBox::currentIndexChanged, this, &ImportOptions::changed);

@@ -17,6 +17,7 @@
 #include "ui/import/import_words.h"
 #include "ui/import/mapping_pages.h"
 #include "ui/import/place_page.h"
+#include "ui/import/quad_placement.h"
 
 #include <utility>
 
@@ -26,6 +27,7 @@ namespace {
 
 constexpr int kSpace = 6;
 constexpr int kMargin = 8;
+constexpr int kFewestLetters = 10;
 /// Texels that someone paints on are left alone for so long before they are previewed again.
 constexpr int kPauseMs = 200;
 
@@ -46,7 +48,8 @@ ImportPanel::ImportPanel(Document& document,
     , m_pages(new QStackedWidget)
     , m_sphere(new SpherePage)
     , m_plane(new PlanePage)
-    , m_place(new PlacePage(viewport))
+    , m_placement(new QuadPlacement(viewport, this))
+    , m_place(new PlacePage(*m_placement))
     , m_look(new ImportLook(viewport))
     , m_state(new QLabel)
     , m_progress(new QProgressBar)
@@ -60,12 +63,17 @@ ImportPanel::ImportPanel(Document& document,
     m_image = new ImageRow(jobs, *form, this);
     makeMapping(*form);
     m_options = new ImportOptions(selection, *form, this);
+    m_image->addMeaning(*form);
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setWidget(m_fields);
+    for (QComboBox* box : m_fields->findChildren<QComboBox*>()) { // a panel is narrow
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kFewestLetters);
+    }
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, kMargin);
     whole->setSpacing(kSpace);
@@ -88,7 +96,10 @@ void ImportPanel::makeMapping(QFormLayout& form)
     add(tr("By the mesh’s uvs"), MapKind::Uvs, tr("Where the mesh itself says"));
     add(tr("Sphere"), MapKind::Sphere, tr("Round the surface, as a globe's map"));
     add(tr("Plane"), MapKind::Plane, tr("Straight along an axis"));
-    add(tr("Camera"), MapKind::Camera, tr("From where the view is, in perspective"));
+    add(tr("Quadrilateral"), MapKind::Quad, tr("Straight, between four corners in space"));
+    add(tr("Camera"),
+        MapKind::Camera,
+        tr("From where the view is, in perspective, between four corners of its picture"));
     m_kind->setAccessibleName(tr("How the image lies on the surface"));
     m_kind->setToolTip(tr("How the image is laid onto the surface"));
     m_mappingProblem->setWordWrap(true);
@@ -101,7 +112,7 @@ void ImportPanel::makeMapping(QFormLayout& form)
     m_pages->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     form.addRow(tr("&Mapping"), m_kind);
     form.addRow(m_pages);
-    form.addRow(QString(), m_mappingProblem);
+    form.addRow(m_mappingProblem);
 }
 
 void ImportPanel::makeButtons(QBoxLayout& column)
@@ -138,7 +149,7 @@ void ImportPanel::connectAll()
     connect(m_kind, &QComboBox::currentIndexChanged, this, &ImportPanel::takeKind);
     connect(m_sphere, &SpherePage::changed, this, &ImportPanel::changed);
     connect(m_plane, &PlanePage::changed, this, &ImportPanel::changed);
-    connect(m_place, &PlacePage::changed, this, &ImportPanel::changed);
+    connect(m_placement, &QuadPlacement::changed, this, &ImportPanel::changed);
     connect(m_options, &ImportOptions::changed, this, &ImportPanel::changed);
     connect(m_apply, &QPushButton::clicked, this, &ImportPanel::applyOrCancel);
     connect(m_close, &QPushButton::clicked, this, &ImportPanel::finished);
@@ -175,8 +186,8 @@ ImportSettings ImportPanel::settings() const
     settings.kind = kind();
     settings.sphere = m_sphere->settings();
     settings.plane = m_plane->settings();
-    settings.quad = m_place->quad();
-    settings.camera = m_place->camera();
+    settings.quad = m_placement->quad();
+    settings.camera = m_placement->camera();
     settings.color = m_image->color();
     settings.channel = m_image->channel();
     return settings;
@@ -219,7 +230,7 @@ void ImportPanel::takeDocument()
     if (surface) {
         m_sphere->takeSurface(*surface);
         m_plane->takeSurface(*surface);
-        m_place->takeSurface(*surface);
+        m_placement->takeSurface(*surface);
     }
     takeKind();
 }
@@ -230,7 +241,7 @@ void ImportPanel::takeImage()
         const Image& image = m_image->images()->first();
         const double aspect = static_cast<double>(image.width()) / image.height();
         m_plane->setAspect(aspect);
-        m_place->setAspect(aspect);
+        m_placement->setImage(m_image->images()->small, aspect);
     }
     changed();
 }
@@ -240,13 +251,14 @@ void ImportPanel::takeKind()
     QWidget* const pages[] = {m_pages->widget(0), m_sphere, m_plane, m_place, m_place};
     QWidget* page = pages[static_cast<std::size_t>(kind())];
     for (int k = 0; k < m_pages->count(); ++k) { // the others take no room
-        m_pages->widget(k)->setSizePolicy(QSizePolicy::Preferred,
-                                          m_pages->widget(k) == page ? QSizePolicy::Preferred
-                                                                     : QSizePolicy::Ignored);
+        const auto policy =
+            m_pages->widget(k) == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        m_pages->widget(k)->setSizePolicy(policy, policy);
     }
     m_pages->setCurrentWidget(page);
     m_pages->setVisible(kind() != MapKind::Uvs);
-    m_place->setKind(kind());
+    m_placement->setKind(kind());
+    m_place->follow();
     m_options->showFor(kind());
     changed();
 }
@@ -406,6 +418,7 @@ void ImportPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     m_look->setOn(true);
+    m_placement->setOn(true);
     refresh();
 }
 
@@ -416,6 +429,7 @@ void ImportPanel::hideEvent(QHideEvent* event)
     m_picture.reset();
     m_look->setPicture(nullptr);
     m_look->setOn(false);
+    m_placement->setOn(false);
 }
 
 } // namespace trixel::ui

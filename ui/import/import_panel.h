@@ -29,6 +29,7 @@ class ImportLook;
 class ImportOptions;
 class PlacePage;
 class PlanePage;
+class QuadPlacement;
 class SpherePage;
 class Viewport;
 
@@ -104,6 +105,7 @@ private:
     QStackedWidget* m_pages;
     SpherePage* m_sphere;
     PlanePage* m_plane;
+    QuadPlacement* m_placement;
     PlacePage* m_place;
     ImportOptions* m_options = nullptr;
     ImportLook* m_look;

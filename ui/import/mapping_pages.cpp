@@ -138,8 +138,8 @@ void PlanePage::makeSize(QFormLayout& form)
     cover->setAccessibleName(tr("Cover the mesh"));
     cover->setToolTip(tr("Centre the image and make it just large enough for the whole mesh"));
     form.addRow(tr("Si&ze"), sizes);
-    form.addRow(QString(), m_keepsAspect);
-    form.addRow(QString(), cover);
+    form.addRow(m_keepsAspect);
+    form.addRow(cover);
     connect(m_width, &QDoubleSpinBox::valueChanged, this, [this] {
         keepAspect();
         if (!m_isSetting) {

@@ -1,32 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/place_page.h"
 
-#include <QHBoxLayout>
+#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
-#include "core/mesh/surface.h"
-#include "ui/viewport/viewport.h"
-
-#include <algorithm>
-#include <glm/geometric.hpp>
+#include "ui/docks/value_row.h"
+#include "ui/import/quad_placement.h"
 
 namespace trixel::ui {
 
 namespace {
 
-/// Of the view, that the image takes at first.
-constexpr double kShare = 0.7;
+constexpr double kOver = 25; // percent
 
 } // namespace
 
-PlacePage::PlacePage(Viewport& viewport, QWidget* parent)
+PlacePage::PlacePage(QuadPlacement& placement, QWidget* parent)
     : QWidget(parent)
-    , m_viewport(viewport)
+    , m_placement(placement)
     , m_about(new QLabel)
     , m_here(new QPushButton)
-    , m_return(new QPushButton(tr("&Look from There")))
+    , m_return(new QPushButton(tr("Look from Ther&e")))
+    , m_corners(new QPushButton(tr("Mo&ve Corners")))
+    , m_over(new ValueRow(Scale::Linear,
+                          0,
+                          100,
+                          {tr("Image over the view"),
+                           tr("How strongly the image is drawn between its corners, to line it up; "
+                              "the texels don't depend on it"),
+                           tr(" %")}))
 {
     m_about->setWordWrap(true);
     m_about->setAccessibleName(tr("About the corners"));
@@ -34,95 +38,54 @@ PlacePage::PlacePage(Viewport& viewport, QWidget* parent)
     m_here->setAccessibleName(tr("Place the image in the view"));
     m_return->setAccessibleName(tr("Look from where the image comes from"));
     m_return->setToolTip(tr("Bring the view back to where the image is thrown from"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(6);
-    column->addWidget(m_about);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(6);
-    row->addWidget(m_here);
-    row->addWidget(m_return);
-    row->addStretch(1);
-    column->addLayout(row);
-    connect(m_here, &QPushButton::clicked, this, [this] {
-        placeInView();
-        emit changed();
-    });
-    connect(
-        m_return, &QPushButton::clicked, this, [this] { m_viewport.lookThrough(m_camera.camera); });
-    showWords();
-}
-
-void PlacePage::setKind(MapKind kind)
-{
-    m_kind = kind;
-    showWords();
-}
-
-void PlacePage::takeSurface(const Surface& surface)
-{
-    m_middle = 0.5 * (glm::dvec3(surface.low()) + glm::dvec3(surface.high()));
-    m_size = surface.size();
-    placeQuad();
-    placeCamera();
-}
-
-void PlacePage::setAspect(double aspect)
-{
-    m_aspect = aspect;
-    placeInView();
-}
-
-void PlacePage::placeInView()
-{
-    if (m_kind == MapKind::Camera) {
-        placeCamera();
-    } else {
-        placeQuad();
+    m_corners->setAccessibleName(tr("Move the corners by keyboard"));
+    m_corners->setToolTip(tr("Give the keyboard to the image's lower left corner in the view: the "
+                             "arrow keys move it, with Shift farther, and Tab goes to the next"));
+    m_over->setValue(kOver);
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(6);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    form->addRow(m_about);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(6);
+    for (QPushButton* button : {m_here, m_return, m_corners}) {
+        buttons->addWidget(button);
     }
+    buttons->addStretch(1);
+    form->addRow(buttons);
+    auto* over = new QLabel(tr("Over the vie&w"));
+    over->setBuddy(m_over->buddy());
+    form->addRow(over, m_over);
+    connect(m_here, &QPushButton::clicked, &m_placement, &QuadPlacement::placeInView);
+    connect(m_return, &QPushButton::clicked, &m_placement, &QuadPlacement::lookFromThere);
+    connect(m_corners, &QPushButton::clicked, &m_placement, &QuadPlacement::focusCorner);
+    connect(m_over, &ValueRow::edited, &m_placement, [this](double percent) {
+        m_placement.setImageOpacity(percent / 100);
+    });
+    connect(&m_placement, &QuadPlacement::viewMoved, this, &PlacePage::follow);
+    connect(&m_placement, &QuadPlacement::changed, this, &PlacePage::follow);
+    m_placement.setImageOpacity(kOver / 100);
+    follow();
 }
 
-void PlacePage::placeCamera()
+void PlacePage::follow()
 {
-    m_camera.camera = m_viewport.view();
-    const double view = static_cast<double>(m_camera.camera.width) / m_camera.camera.height;
-    const double x = kShare * std::min(1.0, m_aspect / view);
-    const double y = kShare * std::min(1.0, view / m_aspect);
-    m_camera.corners = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
-}
-
-/// Upright and facing the view, at the depth of what is in its middle.
-void PlacePage::placeQuad()
-{
-    const ViewCamera camera = m_viewport.view();
-    const glm::dvec3 forward = camera.forward();
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::dvec3 up = glm::cross(right, forward);
-    const double depth = std::max(glm::dot(m_middle - camera.position, forward), 0.01 * m_size);
-    const glm::dvec3 centre = camera.position + depth * forward;
-    const double pixel = camera.unitsPerPixel(centre);
-    const double view = static_cast<double>(camera.width) / camera.height;
-    const double height = kShare * pixel * camera.height * std::min(1.0, view / m_aspect);
-    const glm::dvec3 across = 0.5 * height * m_aspect * right;
-    const glm::dvec3 upward = 0.5 * height * up;
-    m_quad = {centre - across - upward,
-              centre + across - upward,
-              centre + across + upward,
-              centre - across + upward};
-}
-
-void PlacePage::showWords()
-{
-    const bool isCamera = m_kind == MapKind::Camera;
-    m_about->setText(isCamera
-                         ? tr("The image is thrown from where the view was when it was placed; "
-                              "turn the view freely to look at it from elsewhere.")
-                         : tr("The image lies in space between four corners and is thrown "
-                              "straight onto the surface."));
+    const bool isCamera = m_placement.kind() == MapKind::Camera;
+    const bool isSeen = m_placement.isSeen();
+    m_about->setText(
+        !isCamera ? tr("Drag the image's four corners in the view. It is thrown straight onto the "
+                       "surface, along the direction that sees most of it.")
+        : isSeen  ? tr("Drag the image's four corners in the view. It is thrown from here, also "
+                       "when the view turns away.")
+                  : tr("The view has moved on; the image is still thrown from where it was."));
     m_here->setText(isCamera ? tr("&Use This View") : tr("Place in &View"));
     m_here->setToolTip(isCamera ? tr("Throw the image from where the view is now")
                                 : tr("Lay the image upright into the middle of the view"));
-    m_return->setVisible(isCamera);
+    m_here->setVisible(!isCamera || !isSeen);
+    m_return->setVisible(isCamera && !isSeen);
+    m_corners->setVisible(isSeen);
+    m_over->setEnabled(isSeen);
 }
 
 } // namespace trixel::ui

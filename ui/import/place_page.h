@@ -3,61 +3,34 @@
 
 #include <QWidget>
 
-#include "ui/import/import_settings.h"
-
-#include <array>
-#include <glm/vec3.hpp>
-
+class QFormLayout;
 class QLabel;
 class QPushButton;
 
-namespace trixel {
-class Surface;
-}
-
 namespace trixel::ui {
 
-class Viewport;
+class QuadPlacement;
+class ValueRow;
 
-/// Where an image lies that is thrown through four corners: of the world, or of the picture of a
-/// camera that stays where it is.
+/// What there is to say and to choose about four corners that lie in the view.
 class PlacePage : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// \param viewport  outlives this
-    explicit PlacePage(Viewport& viewport, QWidget* parent = nullptr);
+    /// \param placement  outlives this
+    explicit PlacePage(QuadPlacement& placement, QWidget* parent = nullptr);
 
-    const std::array<glm::dvec3, 4>& quad() const { return m_quad; }
-    const CameraSettings& camera() const { return m_camera; }
-
-    /// \param kind  Quad or Camera; others hide what is drawn in the view
-    void setKind(MapKind kind);
-    void takeSurface(const Surface& surface);
-    /// \param aspect  of the image, its width over its height
-    void setAspect(double aspect);
-    /// Lays the image upright into the middle of what is seen now.
-    void placeInView();
-
-signals:
-    void changed();
+    /// Says what holds now.
+    void follow();
 
 private:
-    void placeQuad();
-    void placeCamera();
-    void showWords();
-
-    Viewport& m_viewport;
-    MapKind m_kind = MapKind::Camera;
-    std::array<glm::dvec3, 4> m_quad{};
-    CameraSettings m_camera;
-    double m_aspect = 1;
-    double m_size = 1;
-    glm::dvec3 m_middle{0};
+    QuadPlacement& m_placement;
     QLabel* m_about;
     QPushButton* m_here;
     QPushButton* m_return;
+    QPushButton* m_corners;
+    ValueRow* m_over;
 };
 
 } // namespace trixel::ui

@@ -66,7 +66,7 @@ private slots:
         type("Centre of the sphere, Z", "-1.5");
         type("Turn of the sphere", "30");
         choose("How the image is looked up", "Bilinear");
-        choose("Where the image ends", "Ends at its corner pixels' middles");
+        choose("Where the image ends", "At pixel centres");
         waitForPreview();
         SamplerOptions options{
             ImageLookup::Bilinear, TableIndex::Corners, ImageWrap::Repeat, ImageWrap::Clamp};
