@@ -4,6 +4,7 @@
 #include "core/atlas/handoff_sample_points.h"
 #include "core/atlas/unfolded_place.h"
 #include "core/lattice/edge_transfer.h"
+#include "core/mesh/face_pieces.h"
 #include "core/texture/face_vertices.h"
 
 #include <algorithm>
@@ -34,16 +35,23 @@ public:
         }
     }
 
-    /// The samples that the face is the one to take.
-    void sample(FaceId face)
+    /// Those samples of a piece that the face is the one to take.
+    void sample(const FacePiece& piece)
     {
-        const std::vector<HandOffSample> samples = m_owners.ownSamples(face);
-        const auto intervals = static_cast<float>(m_layout.tile(face).intervals());
+        const FaceId face = piece.face;
+        const int n = m_layout.tile(face).intervals();
+        const HandOffOwners::Border border = m_owners.border(face);
+        std::vector<HandOffSample> samples;
         QueryArrays queries;
-        for (const HandOffSample& sample : samples) {
-            const glm::vec2 uv =
-                glm::vec2(static_cast<float>(sample.i), static_cast<float>(sample.j)) / intervals;
-            queries.add(face, uv, glm::vec2(0), glm::vec2(0));
+        HandOffSample sample = sampleOfNumber(piece.first, n);
+        for (std::uint64_t k = 0; k < piece.count; ++k, sample = nextSample(sample, n)) {
+            if (border.owns(sample, n)) {
+                const glm::vec2 uv =
+                    glm::vec2(static_cast<float>(sample.i), static_cast<float>(sample.j)) /
+                    static_cast<float>(n);
+                samples.push_back(sample);
+                queries.add(face, uv, glm::vec2(0), glm::vec2(0));
+            }
         }
         ResultArrays answers(samples.size(), m_scene.channels());
         m_method.filter(m_scene, queries.queries(), answers.results());
@@ -115,18 +123,28 @@ public:
         }
     }
 
-    void pad(FaceId face)
+    /// Pixels of a face's tile, its own among them, as `pad` counts them.
+    std::uint64_t tilePixels(FaceId face) const
     {
+        return sampleCount(m_layout.tile(face).intervals() + 3 * m_layout.tile(face).padding());
+    }
+
+    void pad(const FacePiece& piece)
+    {
+        const FaceId face = piece.face;
         const HandOffTile tile = m_layout.tile(face);
         const int n = tile.intervals();
-        for (int j = -tile.padding(); j <= n + 2 * tile.padding(); ++j) {
-            for (int i = -tile.padding(); tile.holds({i, j}); ++i) {
-                const bool isOwn = i >= 0 && j >= 0 && i + j <= n;
-                const bool isStraight = i >= 1 && j >= 1 && i + j == n + 1;
-                if (!isOwn && !isStraight) {
-                    const HandOffSample sample = ofFace(face, {i, j});
-                    std::ranges::copy(nearestOwn(face, sample), at(face, sample).begin());
-                }
+        const int p = tile.padding();
+        HandOffSample inTriangle = sampleOfNumber(piece.first, n + 3 * p);
+        for (std::uint64_t k = 0; k < piece.count; ++k) {
+            const int i = inTriangle.i - p;
+            const int j = inTriangle.j - p;
+            inTriangle = nextSample(inTriangle, n + 3 * p);
+            const bool isOwn = i >= 0 && j >= 0 && i + j <= n;
+            const bool isStraight = i >= 1 && j >= 1 && i + j == n + 1;
+            if (!isOwn && !isStraight) {
+                const HandOffSample sample = ofFace(face, {i, j});
+                std::ranges::copy(nearestOwn(face, sample), at(face, sample).begin());
             }
         }
     }
@@ -246,28 +264,6 @@ private:
     std::vector<std::span<std::byte>> m_pixels; ///< of each page
 };
 
-/// Work on every face, with progress from begin to end. False when cancelled.
-bool forFaces(std::size_t count,
-              Threads threads,
-              Progress& progress,
-              const std::function<void(FaceId)>& work)
-{
-    constexpr std::size_t kAtOnce = 4096;
-    constexpr std::size_t kGrain = 16;
-    for (std::size_t first = 0; first < count; first += kAtOnce) {
-        if (!progress.report(static_cast<double>(first) / static_cast<double>(count))) {
-            return false;
-        }
-        const std::size_t some = std::min(kAtOnce, count - first);
-        parallelFor(some, kGrain, threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                work(faceId(first + f));
-            }
-        });
-    }
-    return progress.report(1);
-}
-
 /// Largest difference along the edges of a face, those counted that the other side doesn't.
 double largestJump(const HandOffLayout& layout,
                    std::span<const Image> pages,
@@ -334,14 +330,32 @@ Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
     StageProgress turns(progress, 0.95, 0.96);
     StageProgress diagonals(progress, 0.96, 0.98);
     StageProgress padding(progress, 0.98, 1);
+    using Painter = HandOffPainter;
+    const auto by = [&](auto step) { return std::bind_front(step, &painter); };
+    const auto corners = [](FaceId) { return std::uint64_t{3}; };
+    const auto alongEdges = [&](FaceId face) {
+        return 3 * static_cast<std::uint64_t>(layout.tile(face).intervals());
+    };
+    const auto samples = [&](FaceId face) { return sampleCount(layout.tile(face).intervals()); };
     // Each step reads what the ones before have written.
-    if (!forFaces(faces, threads, sampling, [&](FaceId face) { painter.sample(face); }) ||
-        !forFaces(faces, threads, vertices, [&](FaceId face) { painter.copyVertices(face); }) ||
-        !forFaces(faces, threads, edges, [&](FaceId face) { painter.copyEdges(face); }) ||
-        !forFaces(faces, threads, turns, [&](FaceId face) { painter.turn(face); }) ||
-        !forFaces(faces, threads, diagonals, [&](FaceId face) { painter.straighten(face); }) ||
-        !forFaces(faces, threads, padding, [&](FaceId face) { painter.pad(face); })) {
-        return cancelled();
+    Status done = forFacePieces(faces, samples, threads, sampling, by(&Painter::sample));
+    if (done) {
+        done = forWholeFaces(faces, corners, threads, vertices, by(&Painter::copyVertices));
+    }
+    if (done) {
+        done = forWholeFaces(faces, alongEdges, threads, edges, by(&Painter::copyEdges));
+    }
+    if (done) {
+        done = forWholeFaces(faces, samples, threads, turns, by(&Painter::turn));
+    }
+    if (done) {
+        done = forWholeFaces(faces, alongEdges, threads, diagonals, by(&Painter::straighten));
+    }
+    if (done) {
+        done = forFacePieces(faces, by(&Painter::tilePixels), threads, padding, by(&Painter::pad));
+    }
+    if (!done) {
+        return tl::unexpected(done.error());
     }
     return painter.takePages();
 }

@@ -32,7 +32,7 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
 /// \param method  what a sample is: its value where the footprint is a point
 /// \param format  of the pixels; as many channels as the scene has (checked)
 /// \param colors  what they mean
-/// Fails only when cancelled. Pixels that no face takes are 0.
+/// Fails when cancelled and when memory runs out. Pixels that no face takes are 0.
 Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
                                         const FilterScene& scene,
                                         const FilterMethod& method,

@@ -28,6 +28,32 @@ HandOffSample edgeSample(LocalEdge edge, int k, int intervals)
     return {0, intervals - k};
 }
 
+std::uint64_t sampleCount(int intervals)
+{
+    const auto n = static_cast<std::uint64_t>(intervals);
+    return (n + 1) * (n + 2) / 2;
+}
+
+HandOffSample sampleOfNumber(std::uint64_t number, int intervals)
+{
+    check(number < sampleCount(intervals), "a sample of the face");
+    const auto before = [&](int j) { // row j
+        const auto row = static_cast<std::uint64_t>(j);
+        return row * static_cast<std::uint64_t>(intervals + 1) - (row * row - row) / 2;
+    };
+    int low = 0;
+    int high = intervals;
+    while (low < high) {
+        const int middle = (low + high + 1) / 2;
+        if (before(middle) <= number) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    return {static_cast<int>(number - before(low)), low};
+}
+
 HandOffSample nearestSample(glm::dvec2 uv, int intervals)
 {
     const auto whole = [intervals](double value) {
@@ -61,26 +87,23 @@ Corner HandOffOwners::vertexOwner(Corner corner) const
     });
 }
 
-std::vector<HandOffSample> HandOffOwners::ownSamples(FaceId face) const
+bool HandOffOwners::Border::owns(HandOffSample sample, int intervals) const
 {
-    const int n = m_layout.tile(face).intervals();
-    std::vector<HandOffSample> samples;
+    const int k = intervals - sample.i - sample.j;
+    if (sample.i == intervals || sample.j == intervals || k == intervals) {
+        return corners[k == intervals ? 0 : sample.i == intervals ? 1 : 2];
+    }
+    return sample.j == 0 ? edges[0] : k == 0 ? edges[1] : sample.i == 0 ? edges[2] : true;
+}
+
+HandOffOwners::Border HandOffOwners::border(FaceId face) const
+{
+    Border border;
     for (std::uint8_t k = 0; k < 3; ++k) {
-        if (vertexOwner({face, k}) == Corner{face, k}) {
-            samples.push_back(cornerSample(k, n));
-        }
+        border.corners[k] = vertexOwner({face, k}) == Corner{face, k};
+        border.edges[k] = !edgeOwner(face, kLocalEdges[k]);
     }
-    for (const LocalEdge edge : {LocalEdge::E0, LocalEdge::E1, LocalEdge::E2}) {
-        for (int k = 1; k < n && !edgeOwner(face, edge); ++k) {
-            samples.push_back(edgeSample(edge, k, n));
-        }
-    }
-    for (int j = 1; j < n; ++j) {
-        for (int i = 1; i + j < n; ++i) {
-            samples.push_back({i, j});
-        }
-    }
-    return samples;
+    return border;
 }
 
 } // namespace trixel

@@ -6,8 +6,9 @@
 #include "core/atlas/handoff_layout.h"
 #include "core/filter/filter_surface.h"
 
+#include <array>
+#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace trixel {
 
@@ -16,6 +17,17 @@ HandOffSample cornerSample(std::uint8_t corner, int intervals);
 
 /// Sample k of an edge, counted from its start; 0 and N are its vertices.
 HandOffSample edgeSample(LocalEdge edge, int k, int intervals);
+
+/// Samples with i, j >= 0 and i + j <= N, numbered row after row from j = 0.
+std::uint64_t sampleCount(int intervals);
+/// \param number  below `sampleCount` (checked)
+HandOffSample sampleOfNumber(std::uint64_t number, int intervals);
+/// The sample that follows in that order.
+inline HandOffSample nextSample(HandOffSample sample, int intervals)
+{
+    return sample.i + sample.j < intervals ? HandOffSample{sample.i + 1, sample.j}
+                                           : HandOffSample{0, sample.j + 1};
+}
 
 /// The face's own sample that is nearest to a point, inside or not.
 HandOffSample nearestSample(glm::dvec2 uv, int intervals);
@@ -36,8 +48,16 @@ public:
     std::optional<EdgeNeighbour> edgeOwner(FaceId face, LocalEdge edge) const;
     Corner vertexOwner(Corner corner) const;
 
-    /// Those of the face that belong to it.
-    std::vector<HandOffSample> ownSamples(FaceId face) const;
+    /// Which of its corners and edges belong to the face; all that lies within does.
+    struct Border
+    {
+        std::array<bool, 3> corners{};
+        std::array<bool, 3> edges{};
+
+        /// \param sample  one of the face's own, of so many intervals
+        bool owns(HandOffSample sample, int intervals) const;
+    };
+    Border border(FaceId face) const;
 
 private:
     const HandOffLayout& m_layout;

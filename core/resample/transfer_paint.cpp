@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/resample/transfer_paint.h"
 
+#include "core/mesh/face_pieces.h"
+
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <utility>
 
 namespace trixel {
 
 namespace {
 
-constexpr std::size_t kFacesAtOnce = 1024;
-constexpr std::size_t kGrain = 8;
+/// Of the faces that are held twice, as they were and as they become.
+constexpr std::uint64_t kTexelsAtOnce = std::uint64_t{1} << 22U;
 
 /// A vector of space as (u,v) of a face: what of it lies in the face's plane. Zero for a face
 /// without area.
@@ -31,7 +34,16 @@ glm::dvec2 onFace(const std::array<glm::vec3, 3>& corners, glm::dvec3 vector)
     return glm::dvec2(c * p - b * q, a * q - b * p) / area;
 }
 
-/// Works face by face, from several threads.
+/// A face that takes paint, by several threads that each fill texels of their own.
+struct TakingFace
+{
+    std::once_flag begun;
+    FaceTexels texels; ///< as they were, then as they become
+    std::span<std::byte> bytes;
+    std::atomic<std::uint32_t> reached{0}; ///< texels that found the other surface
+};
+
+/// Works on pieces of faces, from several threads.
 class Transferrer
 {
 public:
@@ -49,32 +61,38 @@ public:
     {
     }
 
-    /// The texels of a face, and how many of them found the other surface.
-    std::pair<FaceTexels, std::uint64_t> face(FaceId face) const
+    /// \param piece  texels of the face `face`, which becomes `after`
+    void bring(FaceId face, const FacePiece& piece, TakingFace& after) const
     {
-        const FaceTexels before = m_texels.face(face).pinned();
         QueryArrays queries;
         std::vector<std::uint32_t> indices;
-        ask(face, before.level(), queries, indices);
+        ask(face, piece, queries, indices);
         if (indices.empty()) {
-            return {m_texels.face(face), 0};
+            return;
         }
+        std::call_once(after.begun, [&] {
+            after.texels = m_texels.face(face).pinned();
+            after.bytes = after.texels.writable();
+        });
         ResultArrays answers(queries.size(), m_paint.channels());
         m_method->filter(m_paint, queries.queries(), answers.results());
-        FaceTexels after = before;
-        put(answers, indices, after.writable());
-        return {after.collapsed(), indices.size()};
+        put(answers, indices, after.bytes);
+        after.reached += static_cast<std::uint32_t>(indices.size());
     }
 
 private:
-    void
-    ask(FaceId face, Level level, QueryArrays& queries, std::vector<std::uint32_t>& indices) const
+    void ask(FaceId face,
+             const FacePiece& piece,
+             QueryArrays& queries,
+             std::vector<std::uint32_t>& indices) const
     {
+        const Level level = m_texels.face(face).level();
         const auto corners = m_to.mesh().corners(face);
         const double step = 1.0 / level.resolution();
         const glm::dvec3 along1 = step * glm::dvec3(corners[1] - corners[0]);
         const glm::dvec3 along2 = step * glm::dvec3(corners[2] - corners[0]);
-        for (std::uint32_t k = 0; k < level.texelCount(); ++k) {
+        const auto first = static_cast<std::uint32_t>(piece.first);
+        for (std::uint32_t k = first; k < first + piece.count; ++k) {
             const glm::vec2 uv(centroid(level, texelAt(level, TexelIndex(k))));
             const auto found =
                 m_from.bvh().closestPoint(pointAt(corners, uv.x, uv.y), m_maxDistance);
@@ -116,6 +134,60 @@ private:
     std::unique_ptr<const FilterMethod> m_method;
 };
 
+/// As many faces from `first` on as have so many texels, but at least one.
+std::size_t facesAtOnce(const TexelStore& texels, std::size_t first)
+{
+    std::uint64_t sum = texels.face(faceId(first)).level().texelCount();
+    std::size_t end = first + 1;
+    for (; end < texels.faceCount(); ++end) {
+        sum += texels.face(faceId(end)).level().texelCount();
+        if (sum > kTexelsAtOnce) {
+            break;
+        }
+    }
+    return end - first;
+}
+
+/// Some faces, from `first` on; they go into the transfer.
+Status bringSome(const Transferrer& transferrer,
+                 std::size_t first,
+                 std::size_t count,
+                 Threads threads,
+                 Transfer& transfer,
+                 Progress& progress)
+{
+    std::vector<TakingFace> some(count);
+    const auto texelCount = [&](FaceId k) -> std::uint64_t {
+        return transfer.texels.face(faceId(first + indexOf(k))).level().texelCount();
+    };
+    StageProgress bringing(progress, 0, 0.98);
+    const Status brought =
+        forFacePieces(count, texelCount, threads, bringing, [&](const FacePiece& piece) {
+            const std::size_t k = indexOf(piece.face);
+            transferrer.bring(faceId(first + k), piece, some[k]);
+        });
+    if (!brought) {
+        return brought;
+    }
+    StageProgress finishing(progress, 0.98, 1);
+    const Status finished = forWholeFaces(count, texelCount, threads, finishing, [&](FaceId k) {
+        TakingFace& face = some[indexOf(k)];
+        if (face.reached > 0) {
+            face.texels = face.texels.collapsed();
+        }
+    });
+    if (!finished) {
+        return finished;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        if (some[k].reached > 0) {
+            transfer.reached += some[k].reached;
+            transfer.texels.exchange(faceId(first + k), std::move(some[k].texels));
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Result<Transfer> transferPaint(const Surface& from,
@@ -129,23 +201,22 @@ Result<Transfer> transferPaint(const Surface& from,
     check(texels.faceCount() == to.mesh().faceCount(), "texels of the surface it goes to");
     const Transferrer transferrer(from, paint, to, texels, options);
     Transfer transfer{texels, 0, texels.texelCount()};
-    std::vector<std::pair<FaceTexels, std::uint64_t>> some;
-    for (std::size_t first = 0; first < texels.faceCount(); first += kFacesAtOnce) {
-        if (!progress.report(static_cast<double>(first) / texels.faceCount())) {
-            return cancelled();
+    std::uint64_t done = 0;
+    for (std::size_t first = 0; first < texels.faceCount();) {
+        const std::size_t count = facesAtOnce(texels, first);
+        const std::uint64_t before = done;
+        for (std::size_t k = 0; k < count; ++k) {
+            done += texels.face(faceId(first + k)).level().texelCount();
         }
-        some.assign(std::min<std::size_t>(kFacesAtOnce, texels.faceCount() - first), {});
-        parallelFor(some.size(), kGrain, options.threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                some[k] = transferrer.face(faceId(first + k));
-            }
-        });
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            transfer.reached += some[k].second;
-            if (some[k].second > 0) {
-                transfer.texels.exchange(faceId(first + k), std::move(some[k].first));
-            }
+        const auto part = [&](std::uint64_t sum) {
+            return static_cast<double>(sum) / static_cast<double>(transfer.total);
+        };
+        StageProgress stage(progress, part(before), part(done));
+        const Status some = bringSome(transferrer, first, count, options.threads, transfer, stage);
+        if (!some) {
+            return tl::unexpected(some.error());
         }
+        first += count;
     }
     if (const Status whole = texels.checkWhole(); !whole) {
         return tl::unexpected(whole.error());

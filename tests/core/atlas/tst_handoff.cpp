@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <new>
 #include <set>
 #include <tuple>
 
@@ -322,6 +323,75 @@ TEST(HandOff, givesUpWhenCancelled)
                                         progress);
         ASSERT_FALSE(pages);
         EXPECT_EQ(pages.error().kind, ErrorKind::Cancelled);
+    }
+}
+
+/// Counts what it is told.
+class CountReports final : public Progress
+{
+public:
+    bool report(double /*fraction*/) override
+    {
+        ++count;
+        return true;
+    }
+    int count = 0;
+};
+
+TEST(HandOff, twoLargeFacesAreToldOfWhileTheyAreSampled)
+{
+    const TriangleMesh mesh = flatPatch(1);
+    ASSERT_EQ(mesh.faceCount(), 2U);
+    const FilterScene scene = sceneOf(
+        surfaceOf(mesh), filledStore(mesh, FaceMap<Level>(mesh.faceCount()), noiseContent(1)));
+    auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(2, 256), {});
+    CountReports progress;
+    ASSERT_TRUE(handOffPages(layout,
+                             scene,
+                             *makeMethod({"lattice-linear", std::nullopt}),
+                             kOneFloat,
+                             {ColorSpace::Raw},
+                             Threads{2},
+                             progress));
+    // 33,153 samples each: a report for every 4096 of both, but for the six steps' own.
+    EXPECT_GE(progress.count, 2 * 33'153 / 4096);
+}
+
+TEST(HandOff, memoryThatRunsOutInAThreadIsAnError)
+{
+    class Greedy final : public FilterMethod
+    {
+    public:
+        void filter(const FilterScene& /*scene*/,
+                    const FilterQueries& /*queries*/,
+                    const FilterResults& /*results*/) const override
+        {
+            throw std::bad_alloc();
+        }
+    };
+    const TriangleMesh mesh = flatPatch(2);
+    const FilterScene scene = sceneOf(
+        surfaceOf(mesh), filledStore(mesh, FaceMap<Level>(mesh.faceCount()), noiseContent(1)));
+    auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(mesh.faceCount(), 64), {});
+    NoProgress progress;
+    const auto pages =
+        handOffPages(layout, scene, Greedy(), kOneFloat, {ColorSpace::Raw}, Threads{2}, progress);
+    ASSERT_FALSE(pages);
+    EXPECT_EQ(pages.error().message, "what is made of the faces does not fit into memory");
+}
+
+TEST(HandOffSamples, areNumberedRowAfterRow)
+{
+    for (const int n : {1, 2, 7, 64, 4096}) {
+        HandOffSample expected;
+        const std::uint64_t step = n > 64 ? 997 : 1;
+        std::uint64_t number = 0;
+        for (; number < sampleCount(n); ++number, expected = nextSample(expected, n)) {
+            if (number % step == 0) {
+                ASSERT_EQ(sampleOfNumber(number, n), expected) << n;
+            }
+        }
+        EXPECT_EQ(expected, (HandOffSample{0, n + 1}));
     }
 }
 

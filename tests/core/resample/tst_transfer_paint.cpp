@@ -157,4 +157,35 @@ TEST(TransferPaint, givesUpWhenCancelled)
     }
 }
 
+TEST(TransferPaint, twoLargeFacesAreLeftSoonAfterItWasCancelled)
+{
+    const Painted from(gridMesh(1), Level(1), noiseContent(2));
+    const Painted to(gridMesh(1), Level(7), constantContent(0));
+    ASSERT_EQ(to.texels.faceCount(), 2U);
+    CancelAfter progress(4); // of eight pieces
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, within(1), progress);
+    ASSERT_FALSE(transfer);
+    EXPECT_EQ(transfer.error().kind, ErrorKind::Cancelled);
+}
+
+/// However faces are cut into pieces.
+TEST(TransferPaint, threadsDoNotChangeTheResult)
+{
+    const Painted from(gridMesh(3), Level(4), noiseContent(2));
+    const Painted to(gridMesh(1), Level(7), constantContent(0.5F));
+    std::vector<TexelStore> results;
+    for (const unsigned threads : {1U, 3U}) {
+        TransferOptions options = within(1);
+        options.threads = Threads{threads};
+        NoProgress progress;
+        results.push_back(
+            transferPaint(*from.surface, from.scene(), *to.surface, to.texels, options, progress)
+                ->texels);
+    }
+    for (std::uint32_t f = 0; f < 2; ++f) {
+        EXPECT_EQ(results[0].face(faceId(f)), results[1].face(faceId(f)));
+    }
+}
+
 } // namespace
