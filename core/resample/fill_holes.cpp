@@ -2,6 +2,7 @@
 #include "core/resample/fill_holes.h"
 
 #include "core/base/check.h"
+#include "core/mesh/shared_progress.h"
 
 #include <algorithm>
 #include <array>
@@ -36,24 +37,34 @@ struct HoleView
     }
 };
 
-void rowsOf(int height, Threads threads, const std::function<void(int)>& row)
+constexpr std::size_t kRowsAtOnce = 16;
+
+/// Calls `row` for each of them; fewer where it is cancelled.
+void rowsOf(int height, Threads threads, Progress& progress, const std::function<void(int)>& row)
 {
-    parallelFor(static_cast<std::size_t>(height), 16, threads, [&](std::size_t a, std::size_t b) {
-        for (std::size_t y = a; y < b; ++y) {
-            row(static_cast<int>(y));
+    const auto rows = static_cast<std::size_t>(height);
+    const std::size_t bands = (rows + kRowsAtOnce - 1) / kRowsAtOnce;
+    SharedProgress shared(progress, bands);
+    parallelFor(bands, 1, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t band = begin; band < end && shared.goesOn(); ++band) {
+            for (std::size_t y = band * kRowsAtOnce; y < std::min(rows, (band + 1) * kRowsAtOnce);
+                 ++y) {
+                row(static_cast<int>(y));
+            }
+            shared.step();
         }
     });
 }
 
 /// Means of what is known among four.
-HoleLevel pulled(const HoleView& fine, std::size_t channels, Threads threads)
+HoleLevel pulled(const HoleView& fine, std::size_t channels, Threads threads, Progress& progress)
 {
     HoleLevel coarse{(fine.width + 1) / 2, (fine.height + 1) / 2, {}, {}};
     const std::size_t pixels =
         static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height);
     coarse.values.resize(pixels * channels);
     coarse.known.resize(pixels);
-    rowsOf(coarse.height, threads, [&](int y) {
+    rowsOf(coarse.height, threads, progress, [&](int y) {
         for (int x = 0; x < coarse.width; ++x) {
             const std::size_t target =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.width) +
@@ -80,9 +91,13 @@ HoleLevel pulled(const HoleView& fine, std::size_t channels, Threads threads)
 }
 
 /// Between the four nearest of the coarser level, all of which hold something by now.
-void push(const HoleView& fine, const HoleView& coarse, std::size_t channels, Threads threads)
+void push(const HoleView& fine,
+          const HoleView& coarse,
+          std::size_t channels,
+          Threads threads,
+          Progress& progress)
 {
-    rowsOf(fine.height, threads, [&](int y) {
+    rowsOf(fine.height, threads, progress, [&](int y) {
         for (int x = 0; x < fine.width; ++x) {
             const std::size_t target = fine.at(x, y);
             if (fine.known[target] != 0) {
@@ -103,34 +118,64 @@ void push(const HoleView& fine, const HoleView& coarse, std::size_t channels, Th
     });
 }
 
+/// Remembers that work is to stop, so that a long one need not look after each part.
+class StopWatcher final : public Progress
+{
+public:
+    explicit StopWatcher(Progress& progress)
+        : m_progress(progress)
+    {
+    }
+    bool report(double fraction) override
+    {
+        m_goesOn = m_goesOn && m_progress.report(fraction);
+        return m_goesOn;
+    }
+    bool goesOn() const { return m_goesOn; }
+
+private:
+    Progress& m_progress;
+    bool m_goesOn = true;
+};
+
+bool hasHole(std::span<const std::uint8_t> known)
+{
+    return std::any_of(known.begin(), known.end(), [](std::uint8_t k) { return k == 0; });
+}
+
 } // namespace
 
-void fillHoles(std::span<float> values,
-               std::span<const std::uint8_t> known,
-               int width,
-               int height,
-               int channels,
-               Threads threads)
+Status fillHoles(std::span<float> values,
+                 std::span<const std::uint8_t> known,
+                 int width,
+                 int height,
+                 int channels,
+                 Threads threads,
+                 Progress& progress)
 {
     const auto count = static_cast<std::size_t>(channels);
     check(values.size() == known.size() * count &&
               known.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
           "as many values as pixels");
+    StopWatcher watched(progress);
     if (std::all_of(known.begin(), known.end(), [](std::uint8_t k) { return k == 0; })) {
-        return;
+        return watched.report(1) ? Status() : cancelled();
     }
     std::vector<HoleView> views = {{width, height, values, known}};
     std::vector<HoleLevel> levels;
     levels.reserve(32); // views refer to them
-    while (std::any_of(views.back().known.begin(), views.back().known.end(), [](std::uint8_t k) {
-        return k == 0;
-    })) {
-        HoleLevel& level = levels.emplace_back(pulled(views.back(), count, threads));
+    double left = 1; // of the way up, and likewise down; each level is a quarter of the finer one
+    while (watched.goesOn() && hasHole(views.back().known)) {
+        StageProgress stage(watched, 0.5 * (1 - left), 0.5 * (1 - left / 4));
+        HoleLevel& level = levels.emplace_back(pulled(views.back(), count, threads, stage));
         views.push_back({level.width, level.height, level.values, level.known});
+        left /= 4;
     }
-    for (std::size_t k = views.size() - 1; k-- > 0;) {
-        push(views[k], views[k + 1], count, threads);
+    for (std::size_t k = views.size() - 1; k-- > 0 && watched.goesOn(); left *= 4) {
+        StageProgress stage(watched, 0.5 + 0.5 * left, 0.5 + 0.5 * std::min(1.0, 4 * left));
+        push(views[k], views[k + 1], count, threads, stage);
     }
+    return watched.report(1) ? Status() : cancelled();
 }
 
 } // namespace trixel

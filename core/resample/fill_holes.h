@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 
 #include <cstdint>
 #include <span>
@@ -13,11 +15,13 @@ namespace trixel {
 /// so that no coarser level of the image mixes in what was never there. Pixels that are known stay.
 /// \param values  channels of each pixel, rows one after the other
 /// \param known   one a pixel, 0 where it holds nothing; nothing happens where all are 0
-void fillHoles(std::span<float> values,
-               std::span<const std::uint8_t> known,
-               int width,
-               int height,
-               int channels,
-               Threads threads);
+/// Fails only when cancelled; some are filled then, others not.
+Status fillHoles(std::span<float> values,
+                 std::span<const std::uint8_t> known,
+                 int width,
+                 int height,
+                 int channels,
+                 Threads threads,
+                 Progress& progress);
 
 } // namespace trixel

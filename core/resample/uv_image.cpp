@@ -4,21 +4,25 @@
 #include "core/base/check.h"
 #include "core/filter/filter_method.h"
 #include "core/filter/surface_walk.h"
+#include "core/mesh/shared_progress.h"
 #include "core/mesh/triangle_geometry.h"
 #include "core/resample/fill_holes.h"
 #include "core/resample/uv_raster.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <new>
 #include <string>
+#include <utility>
 
 namespace trixel {
 
 namespace {
 
-/// Rows that are filtered at a time.
-constexpr int kRowsAtOnce = 16;
+/// Pixels that one thread works on between two looks at the progress, in whole rows.
+constexpr int kPixelsAtOnce = 8192;
 
 /// Pixels that one method filters, and where their values go.
 struct PixelQueries
@@ -151,7 +155,6 @@ private:
     std::vector<float> m_answers;
 };
 
-/// Progress is told from here alone: a stripe of rows for each thread at a time.
 Status drawAll(const FilterScene& scene,
                const TriangleMesh& mesh,
                const UvRaster& raster,
@@ -161,21 +164,26 @@ Status drawAll(const FilterScene& scene,
                std::span<std::uint8_t> known,
                Progress& progress)
 {
-    const int stripe = kRowsAtOnce * static_cast<int>(threads.count);
-    for (int top = 0; top < raster.height; top += stripe) {
-        if (!progress.report(static_cast<double>(top) / raster.height)) {
-            return cancelled();
+    const int rowsAtOnce = std::max(1, kPixelsAtOnce / raster.width);
+    const auto stripes = static_cast<std::size_t>((raster.height + rowsAtOnce - 1) / rowsAtOnce);
+    SharedProgress shared(progress, stripes);
+    std::atomic<bool> outOfMemory{false};
+    parallelFor(stripes, 1, threads, [&](std::size_t begin, std::size_t end) {
+        try {
+            RowDrawer drawer(scene, mesh, raster, plane, values, known);
+            for (std::size_t k = begin; k < end && shared.goesOn(); ++k) {
+                const int top = static_cast<int>(k) * rowsAtOnce;
+                drawer.draw(top, std::min(rowsAtOnce, raster.height - top));
+                shared.step();
+            }
+        } catch (const std::bad_alloc&) { // must not leave its thread
+            outOfMemory = true;
         }
-        const int rows = std::min(stripe, raster.height - top);
-        parallelFor(static_cast<std::size_t>(rows),
-                    kRowsAtOnce,
-                    threads,
-                    [&](std::size_t begin, std::size_t end) {
-                        RowDrawer(scene, mesh, raster, plane, values, known)
-                            .draw(top + static_cast<int>(begin), static_cast<int>(end - begin));
-                    });
+    });
+    if (outOfMemory) {
+        return contentsError("the pixels do not fit into memory");
     }
-    return {};
+    return shared.goesOn() ? Status() : cancelled();
 }
 
 /// Faces of the tile that own no pixel.
@@ -197,18 +205,30 @@ std::uint32_t countLost(const TriangleMesh& mesh, const UvRaster& raster, UdimTi
     return lost;
 }
 
-Image encodedImage(std::span<float> values,
-                   const TexelFormat& format,
-                   const UvImageOptions& options)
+Result<Image> encodedImage(std::span<float> values,
+                           const TexelFormat& format,
+                           const UvImageOptions& options,
+                           Progress& progress)
 {
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        values[k] = fromLinear(options.colors[k % format.channels], values[k]);
-    }
     TexelFormat stored = format;
     stored.type = options.type;
     Image image(options.width, options.height, stored, options.colors);
-    encode(options.type, values, image.writable());
-    return image;
+    const std::span<std::byte> pixels = image.writable();
+    const auto rows = static_cast<std::size_t>(options.height);
+    const std::size_t rowValues = values.size() / rows;
+    const std::size_t rowBytes = pixels.size() / rows;
+    SharedProgress shared(progress, rows);
+    parallelFor(rows, 1, options.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end && shared.goesOn(); ++y) {
+            const std::span<float> row = values.subspan(y * rowValues, rowValues);
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                row[k] = fromLinear(options.colors[k % format.channels], row[k]);
+            }
+            encode(options.type, row, pixels.subspan(y * rowBytes, rowBytes));
+            shared.step();
+        }
+    });
+    return shared.goesOn() ? Result<Image>(std::move(image)) : cancelled();
 }
 
 FaceTexels
@@ -282,34 +302,52 @@ Result<UvImage> makeUvImage(const FilterScene& scene,
     if (!progress.report(0)) {
         return cancelled();
     }
-    UvRaster raster = rasterUvs(mesh, options.width, options.height, options.tile, options.threads);
+    StageProgress rastering(progress, 0, 0.05);
+    auto raster =
+        rasterUvs(mesh, options.width, options.height, options.tile, options.threads, rastering);
+    if (!raster) {
+        return tl::unexpected(raster.error());
+    }
     UvImage made;
     made.insidePixels = static_cast<std::uint64_t>(
-        std::count(raster.inside.begin(), raster.inside.end(), std::uint8_t{1}));
+        std::count(raster->inside.begin(), raster->inside.end(), std::uint8_t{1}));
     if (made.insidePixels == 0) {
         return contentsError("an image of " + std::to_string(options.width) + " × " +
                              std::to_string(options.height) +
                              " pixels is too small: no face of tile " +
                              std::to_string(options.tile.number()) + " holds a pixel's centre");
     }
-    made.facesWithoutPixel = countLost(mesh, raster, options.tile);
-    growRaster(raster, mesh, options.tile, options.gutter, options.threads);
+    made.facesWithoutPixel = countLost(mesh, *raster, options.tile);
+    StageProgress growing(progress, 0.05, 0.15);
+    if (const Status grown =
+            growRaster(*raster, mesh, options.tile, options.gutter, options.threads, growing);
+        !grown) {
+        return tl::unexpected(grown.error());
+    }
     const auto channels = static_cast<std::size_t>(format.channels);
-    std::vector<float> values(raster.pixelCount() * channels);
-    std::vector<std::uint8_t> known(raster.pixelCount());
+    std::vector<float> values(raster->pixelCount() * channels);
+    std::vector<std::uint8_t> known(raster->pixelCount());
     const PixelPlane plane(options.width, options.height, options.tile);
-    StageProgress drawing(progress, 0.1, 0.9);
+    StageProgress drawing(progress, 0.15, 0.85);
     if (const Status drawn =
-            drawAll(scene, mesh, raster, plane, options.threads, values, known, drawing);
+            drawAll(scene, mesh, *raster, plane, options.threads, values, known, drawing);
         !drawn) {
         return tl::unexpected(drawn.error());
     }
     made.gutterPixels =
         static_cast<std::uint64_t>(std::count(known.begin(), known.end(), std::uint8_t{1})) -
         made.insidePixels;
-    fillHoles(values, known, options.width, options.height, format.channels, options.threads);
-    made.image = encodedImage(values, format, options);
-    return progress.report(1) ? Result<UvImage>(std::move(made)) : cancelled();
+    StageProgress filling(progress, 0.85, 0.95);
+    const Status filled = fillHoles(
+        values, known, options.width, options.height, format.channels, options.threads, filling);
+    if (!filled) {
+        return tl::unexpected(filled.error());
+    }
+    StageProgress encoding(progress, 0.95, 1);
+    return encodedImage(values, format, options, encoding).map([&](Image image) {
+        made.image = std::move(image);
+        return std::move(made);
+    });
 }
 
 } // namespace trixel

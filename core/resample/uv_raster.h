@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/mapping/uv_mapping.h"
 #include "core/mesh/triangle_mesh.h"
 
@@ -64,12 +66,24 @@ struct UvRaster
 };
 
 /// Pixels whose centres lie in a face's uvs, its border counted; of several faces the lowest.
+/// Fails only when cancelled.
 /// \param mesh  with uvs (checked)
-UvRaster rasterUvs(const TriangleMesh& mesh, int width, int height, UdimTile tile, Threads threads);
+Result<UvRaster> rasterUvs(const TriangleMesh& mesh,
+                           int width,
+                           int height,
+                           UdimTile tile,
+                           Threads threads,
+                           Progress& progress);
 
 /// Gives pixels that belong to no face, and lie up to so many pixels from one that does, the
-/// nearest of the faces that own their neighbours; of equals the lowest.
-void growRaster(
-    UvRaster& raster, const TriangleMesh& mesh, UdimTile tile, int pixels, Threads threads);
+/// nearest of the faces that own their neighbours; of equals the lowest. Work goes by the pixels
+/// that are given away, and is told of after each step of one pixel. Fails only when cancelled; the
+/// raster is of no use then.
+Status growRaster(UvRaster& raster,
+                  const TriangleMesh& mesh,
+                  UdimTile tile,
+                  int pixels,
+                  Threads threads,
+                  Progress& progress);
 
 } // namespace trixel

@@ -102,7 +102,7 @@ TEST(MugTexture, comesBackFromTheFacesAtItsOwnDensity)
     const auto out = makeUvImage(*scene, *mesh, format, options, progress);
     ASSERT_TRUE(out) << out.error().message;
 
-    const auto away = awayFromSeams(rasterUvs(*mesh, size, size, {}, Threads{2}), 4);
+    const auto away = awayFromSeams(*rasterUvs(*mesh, size, size, {}, Threads{2}, progress), 4);
     const auto before = valuesOf(*texture);
     const auto after = valuesOf(out->image);
     const auto channels = static_cast<std::size_t>(texture->format().channels);

@@ -2,6 +2,7 @@
 #include "core/image/image_levels.h"
 #include "core/lattice/texel.h"
 #include "core/mapping/bake.h"
+#include "core/mesh/triangle_geometry.h"
 #include "core/resample/uv_image.h"
 #include "core/resample/uv_raster.h"
 #include "tests/core/cancel_after.h"
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <limits>
 #include <random>
 
 namespace trixel {
@@ -86,7 +88,8 @@ std::vector<float> valuesOf(const Image& image)
 TEST(UvRasterTest, everyPixelOfACoveredImageBelongsToTheFaceUnderIt)
 {
     const TriangleMesh mesh = gridWithUvs(5);
-    const UvRaster raster = rasterUvs(mesh, 64, 48, {}, Threads{2});
+    NoProgress progress;
+    const UvRaster raster = *rasterUvs(mesh, 64, 48, {}, Threads{2}, progress);
     for (int y = 0; y < 48; ++y) {
         for (int x = 0; x < 64; ++x) {
             const std::uint32_t owner = raster.owners[static_cast<std::size_t>(y * 64 + x)];
@@ -105,14 +108,104 @@ TEST(UvRasterTest, everyPixelOfACoveredImageBelongsToTheFaceUnderIt)
 TEST(UvRasterTest, growingReachesSoManyPixelsAndNoMore)
 {
     const TriangleMesh mesh = gridWithUvs(2, 0.25F);
-    UvRaster raster = rasterUvs(mesh, 64, 64, {}, Threads{1});
+    NoProgress progress;
+    UvRaster raster = *rasterUvs(mesh, 64, 64, {}, Threads{1}, progress);
     const auto owned = [&] {
         return raster.owners.size() -
                static_cast<std::size_t>(std::count(raster.owners.begin(), raster.owners.end(), 0U));
     };
     EXPECT_EQ(owned(), 16U * 16U);
-    growRaster(raster, mesh, {}, 3, Threads{2});
+    ASSERT_TRUE(growRaster(raster, mesh, {}, 3, Threads{2}, progress));
     EXPECT_EQ(owned(), 22U * 22U);
+}
+
+/// Charts of one face each, scattered over the image and beyond it, some over others.
+TriangleMesh scatteredCharts(unsigned seed, float size)
+{
+    TriangleMesh mesh = test::gridMesh(3);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> any(-0.1F, 1.1F);
+    std::uniform_real_distribution<float> off(-size, size);
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const glm::vec2 at(any(random), any(random));
+        for (int k = 0; k < 3; ++k) {
+            mesh.cornerUvs.push_back(at + glm::vec2(off(random), off(random)));
+        }
+    }
+    return mesh;
+}
+
+/// One step of growing as it is told: every pixel is looked at, as all were before the step.
+void growByOne(UvRaster& raster, const TriangleMesh& mesh)
+{
+    const UvRaster before = raster;
+    const PixelPlane plane(raster.width, raster.height, {});
+    const auto number = [&](int x, int y) {
+        return static_cast<std::size_t>(y * raster.width + x);
+    };
+    for (int y = 0; y < raster.height; ++y) {
+        for (int x = 0; x < raster.width; ++x) {
+            double least = std::numeric_limits<double>::infinity();
+            for (int k = 0; k < 9 && before.owners[number(x, y)] == 0; ++k) {
+                const int bx = x + k % 3 - 1;
+                const int by = y + k / 3 - 1;
+                const bool inside = bx >= 0 && by >= 0 && bx < raster.width && by < raster.height;
+                const std::uint32_t owner = inside ? before.owners[number(bx, by)] : 0;
+                if (owner == 0) {
+                    continue;
+                }
+                std::array<glm::vec3, 3> corners{};
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const glm::dvec2 uv(mesh.uvs(faceId(owner - 1))[c]);
+                    corners[c] =
+                        glm::vec3(glm::vec2(plane.pixels(uv) - glm::dvec2(x + 0.5, y + 0.5)), 0);
+                }
+                const double apart = nearestOnTriangle(corners, glm::dvec3(0)).distanceSquared;
+                std::uint32_t& best = raster.owners[number(x, y)];
+                if (apart < least || (apart == least && owner < best)) {
+                    best = owner;
+                    least = apart;
+                }
+            }
+        }
+    }
+}
+
+TEST(UvRasterTest, growingGivesWhatALookAtEveryPixelGives)
+{
+    NoProgress progress;
+    for (const auto& [seed, size] : {std::pair(1U, 0.05F), {2U, 0.2F}, {3U, 0.02F}, {4U, 0.6F}}) {
+        const TriangleMesh mesh = scatteredCharts(seed, size);
+        UvRaster slow = *rasterUvs(mesh, 97, 61, {}, Threads{1}, progress);
+        const UvRaster start = slow;
+        for (int pixels = 0; pixels <= 40; ++pixels) {
+            if (pixels % 8 < 2) {
+                UvRaster quick = start;
+                ASSERT_TRUE(growRaster(quick, mesh, {}, pixels, Threads{2}, progress));
+                ASSERT_EQ(quick.owners, slow.owners) << seed << ' ' << pixels;
+                EXPECT_EQ(quick.inside, start.inside);
+            }
+            growByOne(slow, mesh);
+        }
+        UvRaster all = start; // more than there is room for
+        ASSERT_TRUE(growRaster(all, mesh, {}, 500, Threads{2}, progress));
+        EXPECT_EQ(std::count(all.owners.begin(), all.owners.end(), 0U), 0);
+    }
+}
+
+TEST(UvRasterTest, drawingAndGrowingAreLeftWhenCancelled)
+{
+    const TriangleMesh mesh = scatteredCharts(1, 0.05F);
+    NoProgress progress;
+    CancelAfter none(0);
+    EXPECT_EQ(rasterUvs(mesh, 64, 64, {}, Threads{2}, none).error().kind, ErrorKind::Cancelled);
+    const UvRaster start = *rasterUvs(mesh, 64, 64, {}, Threads{2}, progress);
+    for (const int reports : {0, 5, 9}) { // of ten steps and the end
+        CancelAfter steps(reports);
+        UvRaster raster = start;
+        EXPECT_EQ(growRaster(raster, mesh, {}, 10, Threads{2}, steps).error().kind,
+                  ErrorKind::Cancelled);
+    }
 }
 
 TEST(UvImageTest, anAffineFieldComesThroughExactly)
@@ -219,11 +312,14 @@ TEST(UvImageTest, cancellingEndsIt)
     const TriangleMesh mesh = gridWithUvs(2);
     const auto store = storeOf(mesh, Level(2), [](glm::vec3) { return 0.5; });
     const FilterScene scene = sceneOf(mesh, store);
-    for (const int reports : {0, 1, 2}) {
-        CancelAfter progress(reports);
-        const auto made = makeUvImage(scene, mesh, store.format(), optionsOf(128, 2), progress);
-        ASSERT_FALSE(made);
-        EXPECT_EQ(made.error().kind, ErrorKind::Cancelled);
+    const TriangleMesh shrunk = gridWithUvs(2, 0.5F); // with holes
+    for (const TriangleMesh& of : {mesh, shrunk}) {
+        for (int reports = 0; reports < 128; reports += reports < 32 ? 1 : 11) { // rows alone: 128
+            CancelAfter progress(reports);
+            const auto made = makeUvImage(scene, of, store.format(), optionsOf(128, 2), progress);
+            ASSERT_FALSE(made);
+            EXPECT_EQ(made.error().kind, ErrorKind::Cancelled);
+        }
     }
 }
 
