@@ -287,9 +287,9 @@ private slots:
 
     void droppedFileOfAnotherKindShowsASentence()
     {
-        writeFile(path("picture.png"), "x");
-        drop({path("picture.png")});
-        QTRY_VERIFY(m_window->messages().sentence().contains("picture.png"));
+        writeFile(path("notes.txt"), "x");
+        drop({path("notes.txt")});
+        QTRY_VERIFY(m_window->messages().sentence().contains("notes.txt"));
     }
 
 private:
