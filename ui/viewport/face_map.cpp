@@ -25,6 +25,8 @@ float numberOf(const FaceMapWork& work, FaceId face)
         return static_cast<float>(level.log2());
     case ViewMapKind::Density:
         return densityOf(work.surface->mesh(), face, level);
+    case ViewMapKind::Difference:
+        return (*work.differences.rms)[face];
     default:
         return (*work.errors.rms)[face];
     }
@@ -35,6 +37,9 @@ MapScale scaleOf(const FaceMapWork& work, std::span<const float> values)
 {
     if (work.map == ViewMapKind::Fit) {
         return MapScale::about(work.errors.tolerance);
+    }
+    if (work.map == ViewMapKind::Difference) {
+        return MapScale::of(work.map);
     }
     if (work.map == ViewMapKind::Level) {
         const auto [low, high] = std::ranges::minmax_element(values);
@@ -65,7 +70,8 @@ std::uint32_t colorOf(const FaceMapWork& work, const MapScale& scale, float valu
 
 bool isOfFaces(ViewMapKind map)
 {
-    return map == ViewMapKind::Level || map == ViewMapKind::Density || map == ViewMapKind::Fit;
+    return map == ViewMapKind::Level || map == ViewMapKind::Density || map == ViewMapKind::Fit ||
+           map == ViewMapKind::Difference;
 }
 
 FaceNumbers computeFaceMap(const FaceMapWork& work)

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace trixel::ui {
@@ -19,13 +20,21 @@ struct FaceErrors
     double tolerance = 0;
 };
 
+/// How far each face is from that of another file, and what that is called.
+struct FaceDifferences
+{
+    std::shared_ptr<const FaceMap<float>> rms; ///< in parts of the value range; 0 where they agree
+    std::string file;
+};
+
 /// All that a map of one number a face is computed from; nothing of it changes meanwhile.
 struct FaceMapWork
 {
     ViewMapKind map = ViewMapKind::Level; ///< one that `isOfFaces`
     std::shared_ptr<const Surface> surface;
     TexelStore texels;
-    FaceErrors errors; ///< for Fit alone, there with one for each face
+    FaceErrors errors;           ///< for Fit alone, there with one for each face
+    FaceDifferences differences; ///< for Difference alone, likewise
 };
 
 /// A number and a colour for each face.

@@ -20,7 +20,7 @@ public:
         QString text;
     };
 
-    /// \param map  Condition or Error
+    /// \param map  Condition, Error or Difference
     static MapScale of(ViewMapKind map);
     /// Of Fit: errors about a tolerance, both in the unit of the texel values.
     static MapScale about(double tolerance);

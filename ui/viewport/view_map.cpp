@@ -166,12 +166,24 @@ void ViewMap::setFaceErrors(FaceErrors errors)
     }
 }
 
+void ViewMap::setFaceDifferences(FaceDifferences differences)
+{
+    m_faceDifferences = std::move(differences);
+    if (m_map == ViewMapKind::Difference) {
+        restart();
+    }
+}
+
 /// Whether all is there that the map is computed from.
 bool ViewMap::isReady() const
 {
     if (m_map == ViewMapKind::Fit) {
         return m_faceErrors.rms &&
                m_faceErrors.rms->size() == m_document.surface()->mesh().faceCount();
+    }
+    if (m_map == ViewMapKind::Difference) {
+        return m_faceDifferences.rms &&
+               m_faceDifferences.rms->size() == m_document.surface()->mesh().faceCount();
     }
     return !readsTexels(m_map) || m_source.isCurrent();
 }
@@ -218,7 +230,7 @@ void ViewMap::begin()
 
 void ViewMap::beginFaces()
 {
-    FaceMapWork work{m_map, m_document.surface(), m_document.texels(), m_faceErrors};
+    FaceMapWork work{m_map, m_document.surface(), m_document.texels(), m_faceErrors, m_faceDifferences};
     m_faceWatcher.setFuture(
         QtConcurrent::run([work = std::move(work)] { return computeFaceMap(work); }));
     showState();
@@ -296,6 +308,8 @@ void ViewMap::showState()
         m_legend->setState({});
     } else if (m_map == ViewMapKind::Fit && !isReady()) {
         m_legend->setState(tr("There is no plan yet."));
+    } else if (m_map == ViewMapKind::Difference && !isReady()) {
+        m_legend->setState(tr("Nothing was compared yet: File > Compare."));
     } else if (!isReady()) {
         m_legend->setState(tr("Preparing…"));
     } else if (behind.step() > 1) {
@@ -331,6 +345,11 @@ QString ViewMap::title() const
         return tr("Level of each face: 4 to the power of it texels");
     case ViewMapKind::Density:
         return tr("Density of each face: texels along a unit of length");
+    case ViewMapKind::Difference:
+        return m_faceDifferences.file.empty()
+                   ? tr("RMS of each face from a compared file's")
+                   : tr("RMS of each face from that of %1, in % of the value range")
+                         .arg(QString::fromStdString(m_faceDifferences.file));
     case ViewMapKind::None:
         break;
     }

@@ -48,6 +48,8 @@ public:
 
     /// What the map Fit shows; without errors it shows nothing.
     void setFaceErrors(FaceErrors errors);
+    /// What the map Difference shows; without differences it shows nothing.
+    void setFaceDifferences(FaceDifferences differences);
 
 signals:
     /// Part of the picture is there, or none any more.
@@ -83,6 +85,7 @@ private:
     QFutureWatcher<FaceNumbers> m_faceWatcher;
     std::vector<float> m_faceValues; ///< of every face; empty when there are none
     FaceErrors m_faceErrors;
+    FaceDifferences m_faceDifferences;
     ViewMapKind m_map = ViewMapKind::None;
     Comparison m_comparison;
     std::optional<QPointF> m_pointer;

@@ -23,7 +23,8 @@ enum class ViewMapKind {
     Error,     ///< of the chosen method against the exact answer
     Fit,       ///< that a planned fit leaves on each face
     Level,     ///< of each face
-    Density    ///< texels for a unit of length, of each face
+    Density,   ///< texels for a unit of length, of each face
+    Difference ///< of each face from that of a file compared with
 };
 
 /// How the viewport draws. A value: compared, copied, stored in settings.

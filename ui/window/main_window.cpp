@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/seam_panel.h"
+#include "ui/exchange/exchange_actions.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -164,6 +165,7 @@ void MainWindow::makePanels()
     new StudyPanels(work, frames, this);
     m_inspectors = new InspectorPanels(work, frames, this);
     m_importActions = new ImportActions(work, frames, this);
+    m_exchange = new ExchangeActions(work, frames, this);
     connect(&m_panels->seams(), &SeamPanel::reported, m_inspectors, &InspectorPanels::showSeams);
 }
 
@@ -185,6 +187,8 @@ void MainWindow::makeMenus()
     QMenu* file = menuBar()->addMenu(tr("&File"));
     m_fileActions->fillMenu(*file);
     m_importActions->fillMenu(*file);
+    file->addSeparator();
+    m_exchange->fillMenu(*file);
     file->addSeparator();
     m_pictureActions->fillMenu(*file);
     file->addSeparator();

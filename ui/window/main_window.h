@@ -20,6 +20,7 @@ namespace trixel::ui {
 class BrushActions;
 class CardActions;
 class EditActions;
+class ExchangeActions;
 class FileActions;
 class ImportActions;
 class InspectActions;
@@ -102,6 +103,7 @@ private:
     FileActions* m_fileActions = nullptr;
     ImportActions* m_importActions = nullptr;
     EditActions* m_editActions = nullptr;
+    ExchangeActions* m_exchange = nullptr;
     SelectionActions* m_selectionActions = nullptr;
     LevelActions* m_levelActions = nullptr;
     ToolActions* m_toolActions = nullptr;

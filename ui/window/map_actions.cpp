@@ -55,11 +55,17 @@ void MapActions::makeMaps(QWidget& window)
          tr("&Density"),
          tr("Show how many texels each face has along a unit of length"),
          Qt::Key_7},
+        {ViewMapKind::Difference,
+         tr("Diffe&rence from File"),
+         tr("Show how far each face is from that of the file compared with"),
+         0}, // all digits are taken
     };
     auto* group = new QActionGroup(this);
     for (const Choice& choice : choices) {
         QAction* action = ActionMaker(window).toggle(
-            choice.text, choice.toolTip, QKeySequence(Qt::CTRL | choice.key));
+            choice.text,
+            choice.toolTip,
+            choice.key != 0 ? QKeySequence(Qt::CTRL | choice.key) : QKeySequence());
         group->addAction(action);
         m_maps.emplace_back(action, choice.map);
         connect(action, &QAction::triggered, this, [this, map = choice.map] {
