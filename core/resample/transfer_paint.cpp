@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace trixel {
@@ -38,8 +40,9 @@ glm::dvec2 onFace(const std::array<glm::vec3, 3>& corners, glm::dvec3 vector)
 struct TakingFace
 {
     std::once_flag begun;
-    FaceTexels texels; ///< as they were, then as they become
-    std::span<std::byte> bytes;
+    FaceTexels before;
+    FaceTexels after;
+    std::span<std::byte> bytes;            ///< of what they become
     std::atomic<std::uint32_t> reached{0}; ///< texels that found the other surface
 };
 
@@ -56,13 +59,13 @@ public:
         , m_paint(paint)
         , m_to(to)
         , m_texels(texels)
-        , m_maxDistance(options.maxDistance)
+        , m_options(options)
         , m_method(makeMethod(options.method))
     {
     }
 
-    /// \param piece  texels of the face `face`, which becomes `after`
-    void bring(FaceId face, const FacePiece& piece, TakingFace& after) const
+    /// \param piece  texels of the face `face`
+    void bring(FaceId face, const FacePiece& piece, TakingFace& taking) const
     {
         QueryArrays queries;
         std::vector<std::uint32_t> indices;
@@ -70,17 +73,32 @@ public:
         if (indices.empty()) {
             return;
         }
-        std::call_once(after.begun, [&] {
-            after.texels = m_texels.face(face).pinned();
-            after.bytes = after.texels.writable();
+        std::call_once(taking.begun, [&] {
+            taking.before = m_texels.face(face).pinned();
+            taking.after = fills() ? filled(face) : taking.before;
+            taking.bytes = taking.after.writable();
         });
         ResultArrays answers(queries.size(), m_paint.channels());
         m_method->filter(m_paint, queries.queries(), answers.results());
-        put(answers, indices, after.bytes);
-        after.reached += static_cast<std::uint32_t>(indices.size());
+        put(answers, indices, taking);
+        taking.reached += static_cast<std::uint32_t>(indices.size());
+    }
+
+    /// What a face becomes of which all pieces are done; nothing if it stays as it is.
+    std::optional<FaceTexels> made(FaceId face, const TakingFace& taking) const
+    {
+        return taking.reached > 0 ? std::optional(taking.after.collapsed())
+               : fills()          ? std::optional(filled(face))
+                                  : std::nullopt;
     }
 
 private:
+    bool fills() const { return m_options.outOfReach == OutOfReach::Fill; }
+    FaceTexels filled(FaceId face) const
+    {
+        return FaceTexels::constant(m_texels.face(face).level(), m_options.fill);
+    }
+
     void ask(FaceId face,
              const FacePiece& piece,
              QueryArrays& queries,
@@ -95,7 +113,7 @@ private:
         for (std::uint32_t k = first; k < first + piece.count; ++k) {
             const glm::vec2 uv(centroid(level, texelAt(level, TexelIndex(k))));
             const auto found =
-                m_from.bvh().closestPoint(pointAt(corners, uv.x, uv.y), m_maxDistance);
+                m_from.bvh().closestPoint(pointAt(corners, uv.x, uv.y), m_options.maxDistance);
             if (found) {
                 const auto there = m_from.mesh().corners(found->face);
                 queries.add(found->face,
@@ -109,7 +127,7 @@ private:
 
     void put(const ResultArrays& answers,
              std::span<const std::uint32_t> indices,
-             std::span<std::byte> texels) const
+             const TakingFace& taking) const
     {
         const TexelFormat& format = m_texels.format();
         const std::size_t bytes = format.texelBytes();
@@ -117,12 +135,11 @@ private:
             std::min<std::size_t>(format.channels, static_cast<std::size_t>(m_paint.channels()));
         std::vector<float> value(format.channels);
         for (std::size_t k = 0; k < indices.size(); ++k) {
-            const auto texel = texels.subspan(indices[k] * bytes, bytes);
-            decode(format.type, texel, value);
+            decode(format.type, taking.before.texel(indices[k]), value);
             for (std::size_t c = 0; c < channels; ++c) {
                 value[c] = answers.values[c * indices.size() + k];
             }
-            encode(format.type, value, texel);
+            encode(format.type, value, taking.bytes.subspan(indices[k] * bytes, bytes));
         }
     }
 
@@ -130,65 +147,117 @@ private:
     const FilterScene& m_paint;
     const Surface& m_to;
     const TexelStore& m_texels;
-    float m_maxDistance;
+    const TransferOptions& m_options;
     std::unique_ptr<const FilterMethod> m_method;
 };
 
-/// As many faces from `first` on as have so many texels, but at least one.
-std::size_t facesAtOnce(const TexelStore& texels, std::size_t first)
+float distanceTo(const Surface& surface, glm::vec3 point)
 {
-    std::uint64_t sum = texels.face(faceId(first)).level().texelCount();
-    std::size_t end = first + 1;
-    for (; end < texels.faceCount(); ++end) {
-        sum += texels.face(faceId(end)).level().texelCount();
-        if (sum > kTexelsAtOnce) {
-            break;
-        }
-    }
-    return end - first;
+    constexpr float kAny = std::numeric_limits<float>::infinity();
+    const auto found = surface.bvh().closestPoint(point, kAny);
+    return found
+               ? glm::distance(
+                     point, pointAt(surface.mesh().corners(found->face), found->uv.x, found->uv.y))
+               : kAny;
 }
 
-/// Some faces, from `first` on; they go into the transfer.
+std::vector<FaceId> facesOf(const TransferOptions& options, std::uint32_t faceCount)
+{
+    std::vector<FaceId> faces = options.faces;
+    if (faces.empty()) {
+        faces.resize(faceCount);
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            faces[k] = faceId(k);
+        }
+    }
+    return faces;
+}
+
+/// As many of the faces as have so many texels, but at least one.
+std::size_t howManyAtOnce(const TexelStore& texels, std::span<const FaceId> faces)
+{
+    std::uint64_t sum = 0;
+    std::size_t count = 0;
+    while (count < faces.size()) {
+        sum += texels.face(faces[count]).level().texelCount();
+        if (count > 0 && sum > kTexelsAtOnce) {
+            break;
+        }
+        ++count;
+    }
+    return count;
+}
+
+std::uint64_t texelCountOf(const TexelStore& texels, std::span<const FaceId> faces)
+{
+    std::uint64_t sum = 0;
+    for (const FaceId face : faces) {
+        sum += texels.face(face).level().texelCount();
+    }
+    return sum;
+}
+
+/// What some faces become goes into the transfer.
 Status bringSome(const Transferrer& transferrer,
-                 std::size_t first,
-                 std::size_t count,
+                 std::span<const FaceId> faces,
                  Threads threads,
                  Transfer& transfer,
                  Progress& progress)
 {
-    std::vector<TakingFace> some(count);
-    const auto texelCount = [&](FaceId k) -> std::uint64_t {
-        return transfer.texels.face(faceId(first + indexOf(k))).level().texelCount();
+    std::vector<TakingFace> taking(faces.size());
+    std::vector<std::optional<FaceTexels>> made(faces.size());
+    const auto texels = [&](FaceId k) -> std::uint64_t {
+        return transfer.texels.face(faces[indexOf(k)]).level().texelCount();
     };
     StageProgress bringing(progress, 0, 0.98);
-    const Status brought =
-        forFacePieces(count, texelCount, threads, bringing, [&](const FacePiece& piece) {
+    Status done =
+        forFacePieces(faces.size(), texels, threads, bringing, [&](const FacePiece& piece) {
             const std::size_t k = indexOf(piece.face);
-            transferrer.bring(faceId(first + k), piece, some[k]);
+            transferrer.bring(faces[k], piece, taking[k]);
         });
-    if (!brought) {
-        return brought;
+    if (done) {
+        StageProgress finishing(progress, 0.98, 1);
+        done = forWholeFaces(faces.size(), texels, threads, finishing, [&](FaceId k) {
+            made[indexOf(k)] = transferrer.made(faces[indexOf(k)], taking[indexOf(k)]);
+        });
     }
-    StageProgress finishing(progress, 0.98, 1);
-    const Status finished = forWholeFaces(count, texelCount, threads, finishing, [&](FaceId k) {
-        TakingFace& face = some[indexOf(k)];
-        if (face.reached > 0) {
-            face.texels = face.texels.collapsed();
-        }
-    });
-    if (!finished) {
-        return finished;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        if (some[k].reached > 0) {
-            transfer.reached += some[k].reached;
-            transfer.texels.exchange(faceId(first + k), std::move(some[k].texels));
+    for (std::size_t k = 0; k < faces.size() && done; ++k) {
+        transfer.reached += taking[k].reached;
+        if (made[k]) {
+            transfer.texels.exchange(faces[k], std::move(*made[k]));
         }
     }
-    return {};
+    return done;
 }
 
 } // namespace
+
+std::vector<float>
+sampleDistances(const Surface& from, const Surface& to, const TexelStore& texels, std::size_t count)
+{
+    check(texels.faceCount() == to.mesh().faceCount(), "texels of the surface it goes to");
+    const std::uint64_t total = texels.texelCount();
+    std::vector<float> distances;
+    if (from.mesh().faceCount() == 0 || total == 0 || count == 0) {
+        return distances;
+    }
+    // Every so many texels, as they are numbered through all faces.
+    const std::uint64_t step = std::max<std::uint64_t>(1, total / count);
+    std::uint64_t next = step / 2;
+    std::uint64_t begin = 0;
+    for (std::size_t k = 0; k < texels.faceCount() && distances.size() < count; ++k) {
+        const Level level = texels.face(faceId(k)).level();
+        const auto corners = to.mesh().corners(faceId(k));
+        for (; next < begin + level.texelCount() && distances.size() < count; next += step) {
+            const auto texel = static_cast<TexelIndex>(next - begin);
+            const glm::vec2 uv(centroid(level, texelAt(level, texel)));
+            const glm::vec3 point = pointAt(corners, uv.x, uv.y);
+            distances.push_back(distanceTo(from, point));
+        }
+        begin += level.texelCount();
+    }
+    return distances;
+}
 
 Result<Transfer> transferPaint(const Surface& from,
                                const FilterScene& paint,
@@ -199,24 +268,25 @@ Result<Transfer> transferPaint(const Surface& from,
 {
     check(paint.faceCount() == from.mesh().faceCount(), "paint on the surface it comes from");
     check(texels.faceCount() == to.mesh().faceCount(), "texels of the surface it goes to");
+    check(options.outOfReach == OutOfReach::Keep ||
+              options.fill.size() == texels.format().texelBytes(),
+          "the bytes of one texel");
     const Transferrer transferrer(from, paint, to, texels, options);
-    Transfer transfer{texels, 0, texels.texelCount()};
+    const std::vector<FaceId> faces = facesOf(options, texels.faceCount());
+    Transfer transfer{texels, 0, texelCountOf(texels, faces)};
+    const auto part = [&](std::uint64_t done) {
+        return static_cast<double>(done) / static_cast<double>(transfer.total);
+    };
     std::uint64_t done = 0;
-    for (std::size_t first = 0; first < texels.faceCount();) {
-        const std::size_t count = facesAtOnce(texels, first);
-        const std::uint64_t before = done;
-        for (std::size_t k = 0; k < count; ++k) {
-            done += texels.face(faceId(first + k)).level().texelCount();
-        }
-        const auto part = [&](std::uint64_t sum) {
-            return static_cast<double>(sum) / static_cast<double>(transfer.total);
-        };
+    for (std::span<const FaceId> left(faces); !left.empty();) {
+        const auto some = left.first(howManyAtOnce(texels, left));
+        left = left.subspan(some.size());
+        const std::uint64_t before = std::exchange(done, done + texelCountOf(texels, some));
         StageProgress stage(progress, part(before), part(done));
-        const Status some = bringSome(transferrer, first, count, options.threads, transfer, stage);
-        if (!some) {
-            return tl::unexpected(some.error());
+        const Status brought = bringSome(transferrer, some, options.threads, transfer, stage);
+        if (!brought) {
+            return tl::unexpected(brought.error());
         }
-        first += count;
     }
     if (const Status whole = texels.checkWhole(); !whole) {
         return tl::unexpected(whole.error());

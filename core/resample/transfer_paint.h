@@ -8,9 +8,17 @@
 #include "core/mesh/surface.h"
 #include "core/texture/texel_store.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace trixel {
+
+/// What becomes of texels that find no paint within the distance.
+enum class OutOfReach {
+    Keep, ///< what they hold
+    Fill  ///< a value, in all their channels
+};
 
 struct TransferOptions
 {
@@ -18,6 +26,11 @@ struct TransferOptions
     float maxDistance = 0;
     /// What averages the paint under a texel.
     MethodChoice method{"probes-2", std::nullopt};
+    OutOfReach outOfReach = OutOfReach::Keep;
+    /// For Fill: the bytes of one texel in the format of those that take paint (checked).
+    std::vector<std::byte> fill = {};
+    /// Faces that take paint, any order; empty for all. Others stay as they are.
+    std::vector<FaceId> faces = {};
     Threads threads = Threads::all();
 };
 
@@ -25,21 +38,29 @@ struct Transfer
 {
     TexelStore texels;
     std::uint64_t reached = 0; ///< texels that found the other surface
-    std::uint64_t total = 0;
+    std::uint64_t total = 0;   ///< that looked for it
 };
 
 /// Brings paint from one surface to another, whatever their faces: every texel takes the value at
 /// the point of `from` that is nearest to its centroid, averaged over its own footprint laid flat
-/// there. Texels that find none within the distance keep what they hold; so do channels that the
-/// paint does not have. Faces keep their levels; those that end up of one value are constant.
-/// \param paint   on `from` (checked)
-/// \param texels  of `to` (checked)
-/// Fails when cancelled, and when a face cannot be read.
+/// there. Texels that find none within the distance keep what they hold, or take a value; channels
+/// that the paint does not have keep theirs. Faces keep their levels; those that end up of one
+/// value are constant. \param paint   on `from` (checked) \param texels  of `to` (checked) Fails
+/// when cancelled, and when a face cannot be read.
 Result<Transfer> transferPaint(const Surface& from,
                                const FilterScene& paint,
                                const Surface& to,
                                const TexelStore& texels,
                                const TransferOptions& options,
                                Progress& progress);
+
+/// How far texels spread over all faces have to the other surface, in world units: for telling
+/// beforehand how many a distance will reach.
+/// \param count  how many texels at most; fewer where there are no more
+/// \return       distances, in no order; none where either surface has no faces
+std::vector<float> sampleDistances(const Surface& from,
+                                   const Surface& to,
+                                   const TexelStore& texels,
+                                   std::size_t count);
 
 } // namespace trixel

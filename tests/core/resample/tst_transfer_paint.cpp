@@ -145,6 +145,81 @@ TEST(TransferPaint, channelsThatThePaintLacksStay)
     EXPECT_EQ(value, (std::array{1.0F, 0.25F, 0.25F}));
 }
 
+TEST(TransferPaint, whatIsTooFarTakesAValueWhereThatIsWanted)
+{
+    // Half of the square is covered.
+    TriangleMesh half = gridMesh(4);
+    for (glm::vec3& position : half.positions) {
+        position.x *= 0.5F;
+    }
+    const Painted from(half, Level(3), constantContent(0.75));
+    const Painted to(gridMesh(3), Level(3), constantContent(0.25));
+    TransferOptions options = within(0.01F);
+    options.outOfReach = OutOfReach::Fill;
+    const float white = 1;
+    const auto bytes = std::as_bytes(std::span(&white, 1));
+    options.fill.assign(bytes.begin(), bytes.end());
+    NoProgress progress;
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, options, progress);
+    ASSERT_TRUE(transfer);
+    int painted = 0;
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        const auto corners = to.surface->mesh().corners(faceId(f));
+        bool isOfOneValue = true;
+        for (std::uint32_t k = 0; k < 64; ++k) {
+            const glm::vec2 uv(centroid(Level(3), texelAt(Level(3), TexelIndex(k))));
+            const float x = pointAt(corners, uv.x, uv.y).x;
+            const double value = valueAt(transfer->texels, faceId(f), k);
+            if (std::abs(x - 0.51F) > 1e-4F) {
+                ASSERT_NEAR(value, x < 0.51F ? 0.75 : 1, 1e-6) << f << " " << k;
+            }
+            painted += value < 0.9 ? 1 : 0;
+            isOfOneValue = isOfOneValue && value == valueAt(transfer->texels, faceId(f), 0);
+        }
+        EXPECT_EQ(transfer->texels.face(faceId(f)).isConstant(), isOfOneValue)
+            << "a face of one value keeps one";
+    }
+    EXPECT_EQ(static_cast<std::uint64_t>(painted), transfer->reached);
+}
+
+TEST(TransferPaint, onlyTheFacesThatAreWantedTakePaint)
+{
+    const Painted from(gridMesh(4), Level(2), constantContent(0.75));
+    const Painted to(gridMesh(3), Level(2), constantContent(0.25));
+    TransferOptions options = within(1);
+    options.faces = {FaceId{7}, FaceId{2}};
+    NoProgress progress;
+    const auto transfer =
+        transferPaint(*from.surface, from.scene(), *to.surface, to.texels, options, progress);
+    ASSERT_TRUE(transfer);
+    EXPECT_EQ(transfer->total, 32U);
+    EXPECT_EQ(transfer->reached, 32U);
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        EXPECT_NEAR(valueAt(transfer->texels, faceId(f), 3), f == 7 || f == 2 ? 0.75 : 0.25, 1e-6);
+    }
+}
+
+TEST(TransferPaint, distancesAreThoseOfTexelsSpreadOverAllFaces)
+{
+    TriangleMesh raised = gridMesh(4);
+    for (glm::vec3& position : raised.positions) {
+        position.z += 0.25F;
+    }
+    const Painted from(raised, Level(0), constantContent(0));
+    const Painted to(gridMesh(3), Level(3), constantContent(0));
+    const auto some = sampleDistances(*from.surface, *to.surface, to.texels, 100);
+    EXPECT_GT(some.size(), 90U);
+    EXPECT_LE(some.size(), 100U);
+    for (const float distance : some) {
+        EXPECT_NEAR(double{distance}, 0.25, 1e-6);
+    }
+    const auto all = sampleDistances(*from.surface, *to.surface, to.texels, 1'000'000);
+    EXPECT_EQ(all.size(), to.texels.texelCount());
+    const Painted nothing({}, Level(0), constantContent(0));
+    EXPECT_TRUE(sampleDistances(*nothing.surface, *to.surface, to.texels, 10).empty());
+}
+
 TEST(TransferPaint, givesUpWhenCancelled)
 {
     const Painted from(gridMesh(2), Level(1), constantContent(1));
