@@ -242,4 +242,9 @@ Status commitFile(const fs::path& path,
     return syncFolder(target);
 }
 
+Status checkReplaceable(const fs::path& path)
+{
+    return replaceableMode(targetOf(path)).map([](const auto& /*mode*/) {});
+}
+
 } // namespace trixel

@@ -34,4 +34,8 @@ Status commitFile(const std::filesystem::path& path,
                   const std::function<Status(FileWriter&)>& write,
                   const std::function<Status(const std::filesystem::path& written)>& verify);
 
+/// Fails, naming the path, if a file of that name must not be replaced: a folder, a device or a
+/// pipe, or a file that is read-only. A name that is free is fine.
+Status checkReplaceable(const std::filesystem::path& path);
+
 } // namespace trixel

@@ -68,6 +68,22 @@ public:
             });
     }
 
+    Result<ExportOutcome> operator()(const UvExportOptions& options) const
+    {
+        return exportUvImages(m_worker, m_path, m_project, options, Threads::all(), m_progress)
+            .map([&](const std::vector<UvTileOutcome>& tiles) {
+                std::vector<std::string> names;
+                for (const UvTileOutcome& tile : tiles) {
+                    names.push_back(tile.file.filename().string());
+                }
+                ExportOutcome result = outcome(names);
+                for (const UvTileOutcome& tile : tiles) {
+                    result.facesLost += tile.facesWithoutPixel;
+                }
+                return result;
+            });
+    }
+
 private:
     ExportOutcome outcome(const std::vector<std::string>& names) const
     {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/io/atlas/export_atlas.h"
+#include "core/io/export_uv_image.h"
 #include "core/io/project_part.h"
 
 #include <filesystem>
@@ -20,7 +21,8 @@ struct PtxExportOptions
     bool mips = true;
 };
 
-using ExportOptions = std::variant<PtxExportOptions, PackedExportOptions, HandOffExportOptions>;
+using ExportOptions =
+    std::variant<PtxExportOptions, PackedExportOptions, HandOffExportOptions, UvExportOptions>;
 
 /// What is to be written where.
 struct ExportRequest
@@ -36,6 +38,7 @@ struct ExportOutcome
     std::vector<std::filesystem::path> files;
     std::uint64_t bytes = 0;           ///< of all of them
     std::optional<double> largestJump; ///< of a hand-off atlas, see `HandOffReport`
+    std::uint32_t facesLost = 0;       ///< of images by uvs: too small there to hold a pixel
 };
 
 /// Writes what is asked for. Files take their names once all are written, read again and compared.

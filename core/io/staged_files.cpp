@@ -2,6 +2,7 @@
 #include "core/io/staged_files.h"
 
 #include "core/base/check.h"
+#include "core/io/commit_file.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -90,6 +91,11 @@ Error StagedFiles::told(Error error) const
 
 Status StagedFiles::commit()
 {
+    for (const std::string& name : m_names) { // all of them before the first is moved
+        if (Status replaceable = checkReplaceable(m_target / name); !replaceable) {
+            return replaceable;
+        }
+    }
     for (const std::string& name : m_names) {
         std::error_code error;
         fs::rename(m_folder / name, m_target / name, error);

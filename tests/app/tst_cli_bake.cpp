@@ -274,5 +274,23 @@ TEST_F(Bake, whatCannotGoOutIsOneLineAndWritesNothing)
     EXPECT_EQ(files().size(), before.size() + 2);
 }
 
+TEST_F(Bake, tilesTakeTheirNamesTogetherOrNotAtAll)
+{
+    const std::string tiles = square("tiles.trixel", "2", "1");
+    std::filesystem::create_directory(path("o.1002.png")); // the last of them cannot be written
+    const auto before = files();
+    const auto run =
+        runTrixel({"bake-out", tiles, "-o", path("o.<UDIM>.png"), "--size", "8", "--gutter", "2"});
+    EXPECT_THAT(run, FailsWith(kPath, "o.1002.png: is a directory"));
+    EXPECT_EQ(files(), before);
+    std::filesystem::remove(path("o.1002.png"));
+    write("o.1001.png", "kept");
+    std::filesystem::permissions(path("o.1001.png"), std::filesystem::perms::owner_read);
+    EXPECT_THAT(
+        runTrixel({"bake-out", tiles, "-o", path("o.<UDIM>.png"), "--size", "8", "--gutter", "2"}),
+        FailsWith(kPath, "o.1001.png: is read-only"));
+    EXPECT_EQ(contentsOf(path("o.1001.png")), "kept");
+}
+
 } // namespace
 } // namespace trixel::test

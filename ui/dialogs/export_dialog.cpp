@@ -10,13 +10,17 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "ui/dialogs/aligned_forms.h"
 #include "ui/dialogs/export_estimate.h"
 #include "ui/dialogs/export_pages.h"
 #include "ui/dialogs/format_choice.h"
 #include "ui/dialogs/path_row.h"
+#include "ui/dialogs/uv_page.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trixel::ui {
@@ -26,6 +30,9 @@ namespace {
 constexpr int kWidth = 560;
 /// In the list of presets; the others come from `presets`.
 constexpr int kCustom = 0;
+/// Data of the kinds: their file's ending and the page of their options.
+constexpr int kEndingRole = Qt::UserRole;
+constexpr int kPageRole = Qt::UserRole + 1;
 
 struct Preset
 {
@@ -42,12 +49,15 @@ std::vector<Preset> presets()
     HandOffExportOptions painter;
     PackedExportOptions shader;
     shader.layout.mips = true;
+    UvExportOptions texture;
+    texture.levels = true;
     return {{ExportDialog::tr("Renderer: .ptx with reduced levels"),
              ".ptx",
              PtxExportOptions{std::nullopt, true}},
             {ExportDialog::tr("Game engine: .glb, sides powers of two"), ".glb", engine},
             {ExportDialog::tr("Another program: .obj and PNG"), ".obj", painter},
             {ExportDialog::tr("Own shader: packed .exr with levels"), ".exr", shader},
+            {ExportDialog::tr("Renderer with uvs: .tx with levels"), ".tx", texture},
             {ExportDialog::tr("Archive: .ptx, texels alone"),
              ".ptx",
              PtxExportOptions{std::nullopt, false}}};
@@ -72,6 +82,17 @@ QString channelName(std::uint16_t channel, const TexelFormat& format)
                : ExportDialog::tr("Channel %1").arg(channel);
 }
 
+/// Page of images by uvs, which a mesh may lack.
+constexpr int kUvPage = 3;
+
+void disable(QComboBox& choice, int index, const QString& why)
+{
+    if (auto* items = qobject_cast<QStandardItemModel*>(choice.model())) {
+        items->item(index)->setEnabled(false);
+        items->item(index)->setToolTip(why);
+    }
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* parent)
@@ -79,8 +100,8 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* pa
     , m_source(std::move(source))
     , m_path(new PathRow(PathRow::Purpose::Save,
                          tr("Destination"),
-                         tr("Ptex textures (*.ptx);;Packed atlases (*.exr *.tif *.png);;"
-                            "Meshes with uvs (*.glb *.obj *.ply)")))
+                         tr("Ptex textures (*.ptx);;Images and packed atlases (*.exr *.tif *.png "
+                            "*.tx);;Meshes with uvs (*.glb *.obj *.ply)")))
     , m_preset(new QComboBox)
     , m_kind(new QComboBox)
     , m_pages(new QStackedWidget)
@@ -105,6 +126,7 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* pa
     layout->addStretch(1);
     addPages();
     addPart();
+    alignLabels();
 
     m_size->setAccessibleName(tr("Size estimate"));
     m_size->setToolTip(tr("Pages, bytes and time; compression is tried on a sample of the faces"));
@@ -126,25 +148,42 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* pa
     begin(path);
 }
 
+/// One page for each kind of options, in the order of their alternatives.
 void ExportDialog::addPages()
 {
+    const bool hasUvs = m_source.project.surface->mesh().hasUvs();
     for (ExportPage* page :
          {static_cast<ExportPage*>(new PtxPage(m_source.project.texels.format().type)),
           static_cast<ExportPage*>(new PackedPage),
-          static_cast<ExportPage*>(new MeshPage)}) {
-        m_pages->addWidget(page);
+          static_cast<ExportPage*>(new MeshPage),
+          static_cast<ExportPage*>(new UvPage)}) {
+        const int index = m_pages->addWidget(page);
+        const bool isUsable = index != kUvPage || hasUvs;
         for (const QString& ending : page->endings()) {
-            m_kind->addItem(page->endings().size() == 1 ? page->title()
-                                                        : tr("%1 (%2)").arg(page->title(), ending),
-                            ending);
+            QString title = page->endings().size() == 1 ? page->title()
+                                                        : tr("%1 (%2)").arg(page->title(), ending);
+            if (!isUsable) {
+                title += tr(": the mesh has none");
+            }
+            m_kind->addItem(title);
+            const int kind = m_kind->count() - 1;
+            m_kind->setItemData(kind, ending, kEndingRole);
+            m_kind->setItemData(kind, index, kPageRole);
+            if (!isUsable) {
+                disable(
+                    *m_kind, kind, tr("The mesh came without uvs: an OBJ or PLY may have some"));
+            }
         }
-        connect(page, &ExportPage::changed, this, &ExportDialog::becomeCustom);
+        connect(page, &ExportPage::changed, this, &ExportDialog::takeChange);
     }
     m_kind->setAccessibleName(tr("Kind"));
     m_kind->setToolTip(tr("What the project is written as"));
     m_preset->addItem(tr("Custom"));
     for (const Preset& preset : presets()) {
         m_preset->addItem(preset.name);
+        if (std::holds_alternative<UvExportOptions>(preset.options) && !hasUvs) {
+            disable(*m_preset, m_preset->count() - 1, tr("The mesh came without uvs"));
+        }
     }
     m_preset->setAccessibleName(tr("Destination preset"));
     m_preset->setToolTip(tr("Settings that suit who will read it"));
@@ -186,29 +225,83 @@ void ExportDialog::begin(const QString& path)
     if (m_source.latest) {
         const ExportRequest& latest = *m_source.latest;
         for (int k = 0; k < m_pages->count(); ++k) {
-            static_cast<ExportPage*>(m_pages->widget(k))->setOptions(latest.options);
+            pageAt(k).setOptions(latest.options);
         }
     }
     m_isFilling = false;
+    if (m_source.latest) { // some endings are those of several pages
+        const int kind = kindOn(static_cast<int>(m_source.latest->options.index()), endingOf(path));
+        m_kind->setCurrentIndex(kind >= 0 ? kind : m_kind->currentIndex());
+    }
     followPath();
     estimate();
 }
 
+ExportPage& ExportDialog::pageAt(int index) const
+{
+    return *static_cast<ExportPage*>(m_pages->widget(index));
+}
+
 ExportPage& ExportDialog::page() const
 {
-    return *static_cast<ExportPage*>(m_pages->currentWidget());
+    return pageAt(m_pages->currentIndex());
+}
+
+int ExportDialog::kindOn(int page, const QString& ending) const
+{
+    for (int kind = 0; kind < m_kind->count(); ++kind) {
+        if (m_kind->itemData(kind, kPageRole) == page &&
+            m_kind->itemData(kind, kEndingRole) == ending) {
+            return kind;
+        }
+    }
+    return -1;
+}
+
+int ExportDialog::kindOf(const QString& ending) const
+{
+    const int here = kindOn(m_pages->currentIndex(), ending);
+    if (here >= 0) {
+        return here;
+    }
+    for (int page = 0; page < m_pages->count(); ++page) {
+        const int kind = kindOn(page, ending);
+        const bool isUsable = page != kUvPage || m_source.project.surface->mesh().hasUvs();
+        if (kind >= 0 && isUsable) {
+            return kind;
+        }
+    }
+    return -1;
+}
+
+void ExportDialog::alignLabels()
+{
+    QList<QFormLayout*> forms = findChildren<QFormLayout*>();
+    alignForms(forms);
+}
+
+/// Another option on the open page: the file's name may follow from it.
+void ExportDialog::takeChange()
+{
+    if (m_isFilling) {
+        return;
+    }
+    if (const QString name = page().named(m_path->path()); name != m_path->path()) {
+        m_path->setPath(name);
+    }
+    becomeCustom();
 }
 
 QString ExportDialog::pathWithEnding() const
 {
     const QString path = m_path->path();
-    const QString ending = m_kind->currentData().toString();
+    const QString ending = m_kind->currentData(kEndingRole).toString();
     return path.isEmpty() || endingOf(path) == ending ? path : path + ending;
 }
 
 ExportRequest ExportDialog::request() const
 {
-    const QString ending = m_kind->currentData().toString();
+    const QString ending = m_kind->currentData(kEndingRole).toString();
     ExportRequest request;
     request.path = QFileInfo(pathWithEnding()).absoluteFilePath().toStdString();
     request.options = page().options(ending);
@@ -228,7 +321,7 @@ void ExportDialog::applyPreset(int preset)
     }
     const Preset chosen = presets()[static_cast<std::size_t>(preset - 1)];
     m_isFilling = true;
-    const int kind = m_kind->findData(chosen.ending);
+    const int kind = kindOn(static_cast<int>(chosen.options.index()), chosen.ending);
     m_kind->setCurrentIndex(kind);
     chooseKind(kind);
     page().setOptions(chosen.options);
@@ -239,22 +332,19 @@ void ExportDialog::applyPreset(int preset)
 /// A known ending that is typed chooses the kind.
 void ExportDialog::followPath()
 {
-    const int kind = m_kind->findData(endingOf(m_path->path()));
+    const int kind = kindOf(endingOf(m_path->path()));
     if (kind >= 0 && kind != m_kind->currentIndex()) {
         m_kind->setCurrentIndex(kind);
     }
+    page().followName(m_path->path());
     checkPath();
 }
 
 void ExportDialog::chooseKind(int kind)
 {
-    const QString ending = m_kind->itemData(kind).toString();
-    for (int k = 0; k < m_pages->count(); ++k) {
-        if (static_cast<ExportPage*>(m_pages->widget(k))->endings().contains(ending)) {
-            m_pages->setCurrentIndex(k);
-            page().setEnding(ending);
-        }
-    }
+    const QString ending = m_kind->itemData(kind, kEndingRole).toString();
+    m_pages->setCurrentIndex(m_kind->itemData(kind, kPageRole).toInt());
+    page().setEnding(ending);
     changeEnding(ending);
 }
 
@@ -262,7 +352,7 @@ void ExportDialog::changeEnding(const QString& ending)
 {
     const QString path = m_path->path();
     const QString now = endingOf(path);
-    if (now != ending && m_kind->findData(now) >= 0) {
+    if (now != ending && kindOf(now) >= 0) {
         m_path->setPath(path.chopped(QFileInfo(path).suffix().size() + 1) + ending);
     }
     checkPath();
@@ -316,6 +406,9 @@ void ExportDialog::checkPath()
         usable = false;
     } else if (usable && !QFileInfo(file.absolutePath()).isWritable()) {
         note = tr("The folder %1 cannot be written to.").arg(file.absolutePath());
+        usable = false;
+    } else if (usable && kindOf(endingOf(path)) < 0 && endingOf(path) == ".tx") {
+        note = tr("A .tx is an image by the mesh's uvs, and the mesh has none.");
         usable = false;
     } else if (usable && file.exists()) {
         note = tr("%1 exists and will be replaced.").arg(file.fileName());

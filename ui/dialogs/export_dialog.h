@@ -47,6 +47,10 @@ private:
     void connectAll();
     void begin(const QString& path);
     ExportPage& page() const;
+    ExportPage& pageAt(int index) const;
+    /// The kind of a file's ending: on the page that is open, if it has one; -1 for an unknown one.
+    int kindOf(const QString& ending) const;
+    int kindOn(int page, const QString& ending) const;
     /// What the controls say now.
     ExportRequest request() const;
     QString pathWithEnding() const;
@@ -56,6 +60,8 @@ private:
     void chooseKind(int kind);
     void changeEnding(const QString& ending);
     void becomeCustom();
+    void takeChange();
+    void alignLabels();
     void estimate();
     void checkPath();
     void finish();

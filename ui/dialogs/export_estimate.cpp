@@ -186,6 +186,36 @@ QString atlasText(const AtlasEstimate& estimate, double seconds)
     return text;
 }
 
+/// "2 images of 2,048 × 2,048 pixels, 25.2 MB before compression, about 3 s"
+QString imagesText(const UvExportPlan& plan, const UvExportOptions& options, double seconds)
+{
+    const QString size = QObject::tr("%L1 × %L2 pixels").arg(options.width).arg(options.height);
+    const QString images = plan.tiles.size() == 1
+                               ? QObject::tr("1 image of %1").arg(size)
+                               : QObject::tr("%L1 images of %2").arg(plan.tiles.size()).arg(size);
+    return QObject::tr("%1, %2 of %3, %4 before compression, %5")
+        .arg(images,
+             plan.format.channels == 1 ? QObject::tr("1 channel")
+                                       : QObject::tr("%1 channels").arg(plan.format.channels),
+             QString::fromUtf8(nameOf(plan.format.type).data()),
+             sizeText(plan.bytes(options)),
+             durationText(seconds));
+}
+
+Result<QString> estimateUvImages(const Project& part,
+                                 const std::filesystem::path& path,
+                                 const UvExportOptions& options)
+{
+    const auto plan = planUvExport(path, part, options);
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    const double drawing =
+        static_cast<double>(plan->pixels) * secondsPerSample(part.texels.format());
+    const double writing = static_cast<double>(plan->bytes(options)) * secondsPerByte();
+    return imagesText(*plan, options, drawing + writing);
+}
+
 } // namespace
 
 Result<QString>
@@ -202,6 +232,9 @@ estimateExport(const Project& project, const ExportRequest& request, Progress& p
             .arg(sizeText(estimate.likelyBytes),
                  sizeText(estimate.plainBytes),
                  durationText(static_cast<double>(estimate.plainBytes) * secondsPerByte()));
+    }
+    if (const auto* uv = std::get_if<UvExportOptions>(&request.options)) {
+        return estimateUvImages(*part, request.path, *uv);
     }
     const auto* packed = std::get_if<PackedExportOptions>(&request.options);
     const auto estimate =

@@ -33,6 +33,10 @@ public:
     virtual void setEnding(const QString& /*ending*/) {}
     /// Shows options of this kind; others are passed over.
     virtual void setOptions(const ExportOptions& options) = 0;
+    /// The name as the options want it.
+    virtual QString named(const QString& path) const { return path; }
+    /// The other way round: the name was typed, and options follow it.
+    virtual void followName(const QString& /*path*/) {}
 
 signals:
     void changed();

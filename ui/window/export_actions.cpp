@@ -30,8 +30,12 @@ QString sentenceOf(const ExportOutcome& outcome)
     if (names.size() > kMostNames) {
         files = ExportActions::tr("%1 and %2 more").arg(files).arg(names.size() - kMostNames);
     }
-    const QString told = ExportActions::tr("Exported %1: %2, read again and found equal.")
-                             .arg(files, sizeText(outcome.bytes));
+    QString told = ExportActions::tr("Exported %1: %2, read again and found equal.")
+                       .arg(files, sizeText(outcome.bytes));
+    if (outcome.facesLost > 0) {
+        told += ExportActions::tr(" %1 faces are too small there to hold a pixel.")
+                    .arg(countText(outcome.facesLost));
+    }
     return outcome.largestJump
                ? told + ExportActions::tr(" Largest jump across an edge: %1 of 255.")
                             .arg(255 * *outcome.largestJump, 0, 'f', 2)
