@@ -23,12 +23,6 @@ std::uint16_t packed(double value)
     return static_cast<std::uint16_t>(std::lround((0.5 * value + 0.5) * 65535));
 }
 
-/// [0, 1]; what is larger counts as 1.
-std::uint8_t byteOf(double value)
-{
-    return static_cast<std::uint8_t>(std::lround(std::min(value, 1.0) * 255));
-}
-
 /// Where a face's corners are, and how long its edges.
 struct FaceSize
 {
@@ -98,7 +92,6 @@ void FilterMesh::measure(const TriangleMesh& mesh,
         double levels = 0;
         double faces = 0;
         double area = 0;
-        double height = std::numeric_limits<double>::max(); ///< the least of a face
         glm::dvec3 normal{0};
     };
     std::vector<Sums> sums(mesh.positions.size());
@@ -108,19 +101,12 @@ void FilterMesh::measure(const TriangleMesh& mesh,
         const glm::dvec3 twice =
             glm::cross(size.corners[1] - size.corners[0], size.corners[2] - size.corners[0]);
         const double area = glm::length(twice);
-        double longest = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            longest = std::max(longest, glm::length(size.corners[(k + 1) % 3] - size.corners[k]));
-        }
         for (std::size_t k = 0; k < 3; ++k) {
             Sums& own = sums[triangle[k]];
             own.levels += store.face(faceId(f)).level().log2();
             own.faces += 1;
             own.normal += twice;
             own.area += area;
-            if (area > 0) { // others have no place of their own
-                own.height = std::min(own.height, area / longest);
-            }
             // An edge that two faces share counts once.
             const std::uint32_t across = m_across[3 * f + k];
             const double length = size.lengths[k];
@@ -147,8 +133,7 @@ void FilterMesh::measure(const TriangleMesh& mesh,
         const double flatness = isTurned ? length / sum.area : 0;
         const double x = std::clamp((flatness - kBent) / (kFlat - kBent), 0.0, 1.0);
         scale.normal = {packed(normal.x), packed(normal.y), packed(normal.z)};
-        scale.flatness = byteOf(x * x * (3 - 2 * x));
-        scale.room = byteOf(sum.height / std::exp2(log2Length));
+        scale.flatness = static_cast<std::uint16_t>(std::lround(x * x * (3 - 2 * x) * 65535));
     }
 }
 

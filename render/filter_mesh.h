@@ -21,10 +21,8 @@ struct VertexScale
     float log2Texel = 0;  ///< the same of a texel's edge: less the mean level of the faces there
     /// The mean of the faces' normals by their areas, a unit vector; from -1 to 1 in 16 bits each.
     std::array<std::uint16_t, 3> normal{};
-    std::uint8_t flatness = 0; ///< how far the faces lie in one plane: 255 where they do, 0 where
-                               ///< no one tilt fits them
-    std::uint8_t room = 0;     ///< least height of the faces over their edges, in 1/255 of the mean
-                               ///< length above
+    std::uint16_t flatness = 0; ///< how far the faces lie in one plane: 65535 where they do, 0
+                                ///< where no one tilt fits them
 };
 static_assert(sizeof(VertexScale) == 16);
 

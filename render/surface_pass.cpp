@@ -92,7 +92,7 @@ QStringList piecesOf(std::size_t variant)
     return {};
 }
 
-QByteArray definesOf(std::size_t variant)
+QByteArray definesOf(std::size_t variant, bool isLimit)
 {
     QByteArray lines;
     std::size_t bit = 1;
@@ -102,7 +102,8 @@ QByteArray definesOf(std::size_t variant)
     }
     const auto number = [](std::size_t n) { return QByteArray::number(static_cast<int>(n)); };
     return lines + "#define LOOK " + number(variant % kLooks >> kLookShift) +
-           "\n#define FILTERING " + number(variant / kLooks) + "\n";
+           "\n#define FILTERING " + number(variant / kLooks) + "\n#define LIMIT " +
+           number(isLimit ? 1 : 0) + "\n";
 }
 
 std::vector<Rgba> scaleColors()
@@ -151,9 +152,9 @@ Status SurfacePass::makeProgram(std::size_t variant, bool isLimit)
 {
     auto made = loadProgram(isLimit ? QStringLiteral("limit.vert") : QStringLiteral("surface.vert"),
                             QStringLiteral("surface.frag"),
-                            definesOf(variant),
+                            definesOf(variant, isLimit),
                             piecesOf(variant),
-                            definesOf(variant));
+                            definesOf(variant, isLimit));
     if (!made) {
         return tl::unexpected(made.error());
     }

@@ -11,11 +11,12 @@ uniform float probeSupport; // in sigmas of the weights
 uniform float probeThinnest;
 uniform int probesAside; // at most, of one side
 
-const int kMostHops = 8;
-// Where the sum over places of texels gives way to probes: how far it reaches, in heights of faces,
-// because it knows but the faces about; and how much longer than wide the footprint is.
-const vec2 kNearFace = vec2(1.6, 1.9);
-const vec2 kNotThin = vec2(4.0, 6.0);
+const int kMostHops = 24;
+// Where the sum over places of texels gives way to probes: about how many faces it reaches, and how
+// much longer than wide the footprint is.
+const vec2 kFewFaces = vec2(20.0, 28.0);
+const vec2 kNotThin = vec2(6.0, 9.0);
+const float kByEdge = 0.35; // pixels
 
 // A position on the screen: pixels from a place, times w, and w.
 vec3 onScreen(uint vertex, vec2 place)
@@ -24,59 +25,64 @@ vec3 onScreen(uint vertex, vec2 place)
     return vec3(clip.xy * halfViewport - place * clip.w, clip.w);
 }
 
-// The share that the end of an edge has of the edge's point nearest to a place on the screen: the
-// same whichever of the two faces asks.
-float alongEdge(vec2 at, vec3 start, vec3 end)
-{
-    if (min(start.z, end.z) <= 0.0) {
-        return 0.5; // behind the camera
-    }
-    vec2 from = start.xy / start.z;
-    vec2 way = end.xy / end.z - from;
-    float t = clamp(dot(at - from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
-    float ofEnd = t * start.z;
-    return ofEnd / (ofEnd + (1.0 - t) * end.z);
-}
-
+// Straight on over the screen from the pixel, face by face: from a place on an edge that is the same
+// way for both of its faces. It ends at borders and contours.
 vec4 probe(vec2 offset, vec2 place, vec3 c0, vec3 c1, vec3 c2, float level)
 {
     vec3 corners[3] = vec3[3](c0, c1, c2);
-    vec3 at = vec3(offset, 1.0);
+    vec3 to = vec3(offset, 1.0);
     int face = faceNumber;
     int entered = -1; // by this edge
+    float turn = dot(cross(c0, c1), c2) < 0.0 ? -1.0 : 1.0;
     vec3 inside = vec3(1.0 - uv.x - uv.y, uv);
     for (int hop = 0; hop < kMostHops; ++hop) {
-        vec3 shares = vec3(dot(cross(corners[1], corners[2]), at),
-                           dot(cross(corners[2], corners[0]), at),
-                           dot(cross(corners[0], corners[1]), at));
+        // How far beyond each corner's edge the pixel and the place lie.
+        vec3 here = turn * vec3(cross(corners[1], corners[2]).z,
+                                cross(corners[2], corners[0]).z,
+                                cross(corners[0], corners[1]).z);
+        vec3 there = turn * vec3(dot(cross(corners[1], corners[2]), to),
+                                 dot(cross(corners[2], corners[0]), to),
+                                 dot(cross(corners[0], corners[1]), to));
+        float way = 1.0;
+        int edge = -1;
+        for (int k = 0; k < 3; ++k) {
+            int corner = (k + 2) % 3;
+            if (there[corner] < 0.0 && k != entered) {
+                float along = max(here[corner], 0.0) / (max(here[corner], 0.0) - there[corner]);
+                if (along < way) {
+                    way = along;
+                    edge = k;
+                }
+            }
+        }
+        vec3 shares = max(mix(here, there, way), vec3(0.0));
         float sum = shares.x + shares.y + shares.z;
-        if (abs(sum) < 1e-30) {
+        if (sum < 1e-30) {
             break; // seen from its edge
         }
         inside = shares / sum;
-        float least = min(inside.x, min(inside.y, inside.z));
-        if (least >= 0.0) {
+        uint next = edge < 0 ? kBorder : texelFetch(across, 3 * face + edge).x;
+        if (next == kBorder || hop + 1 == kMostHops) {
             break;
         }
-        int edge = inside.z == least ? 0 : inside.x == least ? 1 : 2;
-        uint next = texelFetch(across, 3 * face + edge).x;
-        if (next == kBorder || edge == entered || hop + 1 == kMostHops) {
-            // Beyond a border; or beyond a contour, where either face sends on to the other.
-            float t = alongEdge(offset, corners[edge], corners[(edge + 1) % 3]);
-            inside = edge == 0   ? vec3(1.0 - t, t, 0.0)
-                     : edge == 1 ? vec3(0.0, 1.0 - t, t)
-                                 : vec3(t, 0.0, 1.0 - t);
-            break;
-        }
-        face = int(next >> 2);
+        int other = int(next >> 2);
         int theirs = int(next & 3u);
-        entered = theirs;
         vec3 start = corners[edge];
         vec3 end = corners[(edge + 1) % 3];
-        uint far = texelFetch(triangles, face)[(theirs + 2) % 3];
+        vec3 apex = onScreen(texelFetch(triangles, other)[(theirs + 2) % 3], place);
+        if (turn * dot(cross(end, start), apex) <= 0.0) {
+            break; // a contour
+        }
+        // The same point in the other's corners, should the way end there.
+        vec3 own = inside;
+        inside[theirs] = own[(edge + 1) % 3];
+        inside[(theirs + 1) % 3] = own[edge];
+        inside[(theirs + 2) % 3] = 0.0;
+        face = other;
+        entered = theirs;
         corners[theirs] = end;
         corners[(theirs + 1) % 3] = start;
-        corners[(theirs + 2) % 3] = onScreen(far, place);
+        corners[(theirs + 2) % 3] = apex;
     }
     inside = max(inside, vec3(0.0));
     inside /= inside.x + inside.y + inside.z;
@@ -135,31 +141,74 @@ vec4 probedTexel(vec3 moves, float pixel2, float texel2)
     return sum / weights;
 }
 
+// Of a surface, from the products of its steps.
+float longestOf(vec3 moves)
+{
+    float slant = 0.5 * (moves.x - moves.y);
+    return 0.5 * (moves.x + moves.y) + sqrt(slant * slant + moves.z * moves.z);
+}
+
+float areaOf(vec3 moves)
+{
+    return max(moves.x * moves.y - moves.z * moves.z, 0.0);
+}
+
+// The tilt of the plane of the pixel's face, which is what the pixel sees; but by an edge, nearer than a
+// third of a pixel, it turns over to the one that both of its faces have in common there.
+vec2 ownTilt()
+{
+#if LIMIT == 1
+    return tilt;
+#else
+    vec3 bary = vec3(uv, 1.0 - uv.x - uv.y);
+    vec3 right = vec3(dFdx(uv), 0.0);
+    vec3 up = vec3(dFdy(uv), 0.0);
+    right.z = -right.x - right.y;
+    up.z = -up.x - up.y;
+    vec3 pixels = bary * inversesqrt(max(right * right + up * up, vec3(1e-20)));
+    float share = smoothstep(0.0, kByEdge, min(pixels.x, min(pixels.y, pixels.z)));
+    uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
+    vec3 from = texelFetch(positions, int(triangle.x)).xyz;
+    vec3 normal = mat3(view) * cross(texelFetch(positions, int(triangle.y)).xyz - from,
+                                     texelFetch(positions, int(triangle.z)).xyz - from);
+    float along = dot(normal, viewPosition);
+    float least = 0.01 * length(viewPosition) * length(normal);
+    along = along < 0.0 ? min(along, -least) : max(along, least);
+    return along == 0.0 ? tilt : mix(tilt, normal.xy * (-viewPosition.z / along), share);
+#endif
+}
+
 vec4 filteredTexel()
 {
-    vec3 moves = steps();
+    vec3 moves = steps(ownTilt());
     float pixel2 = pixelVariance();
     float texel2 = exp2(2.0 * log2Scale.y);
-    float mean = 0.5 * (moves.x + moves.y);
-    float slant = 0.5 * (moves.x - moves.y);
-    float longest = mean + sqrt(slant * slant + moves.z * moves.z);
     float pixel = 2.0 * sqrt(pixel2);
+    float longest = longestOf(moves);
 
     Footprint footprint;
     footprint.ray = viewPosition.xy / max(-viewPosition.z, 1e-30);
     footprint.moves = moves;
-    footprint.area2 = max(moves.x * moves.y - moves.z * moves.z, 0.0);
+    footprint.area2 = areaOf(moves);
     footprint.texel2 = texel2 / (pixel * pixel);
     footprint.minor2 = footprint.area2 / longest + footprint.texel2;
     float major2 = longest + footprint.texel2; // four times
     footprint.major = 0.5 * sqrt(major2);
-    float reach = kCut * footprint.major * pixel * exp2(-room);
+    // Where tilts turn over, by edges, levels are not to switch.
+    vec3 shared = steps(tilt);
+    footprint.lattice2 = areaOf(shared) / longestOf(shared) + footprint.texel2;
     float thinness = sqrt(major2 / footprint.minor2);
-    float toProbes = max(smoothstep(kNearFace.x, kNearFace.y, reach),
+    // Of equilateral faces whose middles the ellipse holds, and those that it cuts.
+    float edge = exp2(log2Scale.x) / pixel;
+    float reach = kCut * footprint.major / edge;
+    float faces = 7.3 * (reach + 0.5) * (reach / thinness + 0.5);
+    float toProbes = max(smoothstep(kFewFaces.x, kFewFaces.y, faces),
                          smoothstep(kNotThin.x, kNotThin.y, thinness));
     vec4 value = vec4(0.0);
     if (toProbes < 1.0) {
-        value = (1.0 - toProbes) * texelsAbout(footprint, pixel);
+        bool isWhole;
+        value = (1.0 - toProbes) * texelsAbout(footprint, pixel, isWhole);
+        toProbes = isWhole ? toProbes : 1.0;
     }
     if (toProbes > 0.0) {
         value += toProbes * probedTexel(moves, pixel2, texel2);

@@ -2,7 +2,7 @@
 // By the geometric mean of the footprint's axes, half a texel in both of them.
 vec4 filteredTexel()
 {
-    vec3 moves = steps();
+    vec3 moves = steps(tilt);
     float pixel2 = pixelVariance();
     float texel2 = exp2(2.0 * log2Scale.y);
     float least = 0.25 * texel2;

@@ -1,9 +1,9 @@
 
-// The Gaussian over places of texels, for footprints that reach no farther than the faces about the
-// pixel's: interpolated averages are too soft where footprints are about as wide as texels. A sum
-// over all faces that meet at the corners of the pixel's face, each by texels or lattice vertices of
-// its own, so that it is the same whichever of them the pixel lies in. Appended to
-// filter_vertices.glsl. Lengths are in pixels' widths at the point that is seen.
+// The Gaussian over places of texels, for footprints that reach few faces: interpolated averages are
+// too soft where footprints are about as wide as texels. A sum over all faces that the footprint
+// reaches, each by texels or lattice vertices of its own, so that it is the same whichever of them
+// the pixel lies in. Appended to filter_vertices.glsl. Lengths are in pixels' widths at the point
+// that is seen.
 uniform usamplerBuffer across;       // three a face: neighbour << 2 | its edge, or all bits
 uniform usamplerBuffer triangles;    // three mesh vertices a face
 uniform samplerBuffer positions;     // xyz a mesh vertex
@@ -13,8 +13,8 @@ uniform samplerBuffer faceTexels;
 uniform mat4 view;
 
 const uint kBorder = 0xffffffffu;
-const int kMostAround = 24; // faces about a vertex
-const float kCut = 3.0;     // where the Gaussian ends, in sigmas
+const int kMostReached = 48; // faces
+const float kCut = 3.0;      // where the Gaussian ends, in sigmas
 // Amid larger texels it ends where the nearest has been reached for sure, in edges of these.
 const float kNearest = 0.8;
 // Four times the variance of the hexagon that a lattice vertex averages, in squared edges of the
@@ -26,12 +26,13 @@ const float kWidestLattice = 0.6;
 
 struct Footprint
 {
-    vec2 ray;     // to the point
-    vec3 moves;   // products of steps
-    float area2;  // their determinant
-    float texel2; // squared edge of a texel about here
-    float major;  // standard deviation along the longer axis
-    float minor2; // four times the variance along the shorter one
+    vec2 ray;       // to the point
+    vec3 moves;     // products of steps
+    float area2;    // their determinant
+    float texel2;   // squared edge of a texel about here
+    float major;    // standard deviation along the longer axis
+    float minor2;   // four times the variance along the shorter one
+    float lattice2; // the same by which levels are chosen
 };
 
 // A place, or the way from one to another: in space, and on the screen.
@@ -84,7 +85,7 @@ Samples samplesOf(Footprint footprint, int face, float edge2)
     uvec2 own = texelFetch(texelRecords, face).xy;
     int here = int(own.y & kLevelMask);
     int finest = int(own.y >> kOwnShift & kLevelMask);
-    float wanted = 0.5 * log2(edge2 / (kWidestLattice * footprint.minor2));
+    float wanted = 0.5 * log2(edge2 / (kWidestLattice * footprint.lattice2));
     int enough = max(int(ceil(wanted)), 0);
     bool isConstant = (own.y & kConstant) != 0u;
     // Texels are more accurate, so a few more of them are borne.
@@ -98,29 +99,22 @@ Samples samplesOf(Footprint footprint, int face, float edge2)
 }
 
 // \param a, b, c  the face's corners from the pixel's point
-void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 sum, inout float weights)
+// \return whether the footprint reaches it
+bool addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 sum, inout float weights)
 {
     vec3 e1 = b - a;
     vec3 e2 = c - a;
     vec3 normal = cross(e1, e2);
     float twice2 = dot(normal, normal);
     if (twice2 < 1e-30) {
-        return;
+        return false;
     }
     float twice = sqrt(twice2);
-    // As if nothing were larger here than texels about the pixel are: most faces are out of reach.
-    vec2 at = vec2(dot(cross(e2, a), normal), dot(cross(a, e1), normal)) / twice2;
-    vec3 perHeight = vec3(length(e2), length(e1), length(e2 - e1)) / twice;
-    vec3 inside = vec3(at, 1.0 - at.x - at.y);
     float edge2 = 1.1547005 * twice; // of an equilateral face as large
     Samples samples = samplesOf(footprint, face, edge2);
     float r = float(1 << samples.level);
     float step2 = edge2 / (r * r);
     float cut = max(kCut, kNearest * sqrt(step2) / footprint.major);
-    vec3 reach = cut * footprint.major * perHeight;
-    if (any(lessThan(inside, -reach))) {
-        return;
-    }
     float texel2 = footprint.texel2;
     if (!samples.areTexels) {
         texel2 -= min(kHexagon * step2, 0.9 * footprint.minor2);
@@ -129,13 +123,32 @@ void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
     Way origin = wayOf(footprint, a);
     Way alongU = wayOf(footprint, e1);
     Way alongV = wayOf(footprint, e2);
-    float uu = product(metric, alongU, alongU) / (r * r);
-    float uv2 = product(metric, alongU, alongV) / (r * r);
-    float vv = product(metric, alongV, alongV) / (r * r);
-    float u0 = product(metric, alongU, origin) / r;
-    float v0 = product(metric, alongV, origin) / r;
+    float uu = product(metric, alongU, alongU);
+    float uv2 = product(metric, alongU, alongV);
+    float vv = product(metric, alongV, alongV);
+    float u0 = product(metric, alongU, origin);
+    float v0 = product(metric, alongV, origin);
     float zero = product(metric, origin, origin);
     float cut2 = cut * cut;
+    // The ellipse in the face's coordinates, by the directions across its edges.
+    float det = uu * vv - uv2 * uv2;
+    vec2 at = vec2(uv2 * v0 - vv * u0, uv2 * u0 - uu * v0) / det;
+    float left = cut2 - (zero + dot(at, vec2(u0, v0)));
+    vec3 reach = sqrt(max(left, 0.0) / det * vec3(vv, uu, uu + vv - 2.0 * uv2));
+    if (det < 1e-6 * uu * vv) {
+        // Seen from its edge: as if nothing were larger here than texels about the pixel are.
+        at = vec2(dot(cross(e2, a), normal), dot(cross(a, e1), normal)) / twice2;
+        reach = cut * footprint.major / twice * vec3(length(e2), length(e1), length(e2 - e1));
+        left = cut2;
+    }
+    if (left < 0.0 || any(lessThan(vec3(at, 1.0 - at.x - at.y), -reach))) {
+        return false;
+    }
+    uu /= r * r;
+    uv2 /= r * r;
+    vv /= r * r;
+    u0 /= r;
+    v0 /= r;
     float least = exp(-0.5 * cut2);
 
     int size = 1 << samples.level;
@@ -144,8 +157,9 @@ void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
         int last = samples.areTexels ? size - 1 - upper : size;
         vec2 lowest = floor((at - reach.xy) * r - offset);
         vec2 highest = ceil((at + reach.xy) * r - offset);
-        int j1 = min(int(highest.y), last);
-        for (int j = max(int(lowest.y), 0); j <= j1; ++j) {
+        int j0 = int(clamp(lowest.y, 0.0, float(last + 1)));
+        int j1 = int(clamp(highest.y, -1.0, float(last)));
+        for (int j = j0; j <= j1; ++j) {
             // Along a row the squared distance is uu i² + 2 b i + c.
             float y = float(j) + offset;
             float b1 = uv2 * y + u0 + uu * offset;
@@ -156,8 +170,10 @@ void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
             }
             float root = sqrt(under);
             float per = 1.0 / max(uu, 1e-20);
-            int i0 = int(max(max(ceil((-b1 - root) * per), lowest.x), 0.0));
-            int i1 = int(min(min(floor((-b1 + root) * per), highest.x), float(last - j)));
+            // Clamped as floats: integers do not hold what comes of edges seen from their end.
+            float most = float(last - j);
+            int i0 = int(clamp(max(ceil((-b1 - root) * per), lowest.x), 0.0, most + 1.0));
+            int i1 = int(clamp(min(floor((-b1 + root) * per), highest.x), -1.0, most));
             int row = !samples.areTexels ? (j * (2 * size + 3 - j)) >> 1
                       : upper == 0       ? j * size
                                          : size * size - 1 - j;
@@ -180,6 +196,7 @@ void addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
             }
         }
     }
+    return true;
 }
 
 // A mesh vertex from the pixel's point, which lies `there` from the place that `from` names: of
@@ -189,54 +206,59 @@ vec3 seen(uint vertex, vec3 from, float pixel, vec3 there)
     return mat3(view) * (texelFetch(positions, int(vertex)).xyz - from) / pixel - there;
 }
 
-// Faces about each corner in turn, against the clock and, where that ends at a border, with it. A
-// face across an edge counts as the first about the edge's start.
-vec4 texelsAbout(Footprint footprint, float pixel)
+// From the pixel's face on to all that the footprint reaches through faces that it reaches: the same
+// ones whichever of two faces a pixel on their edge belongs to.
+// \param isWhole  whether they were few enough; else there is no answer
+vec4 texelsAbout(Footprint footprint, float pixel, out bool isWhole)
 {
+    isWhole = false;
     uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
     vec3 from = texelFetch(positions, int(triangle.x)).xyz;
-    vec3 e1 = seen(triangle.y, from, pixel, vec3(0.0));
-    vec3 e2 = seen(triangle.z, from, pixel, vec3(0.0));
-    vec3 there = uv.x * e1 + uv.y * e2;
-    vec3 corners[3] = vec3[3](-there, e1 - there, e2 - there);
+    vec3 there = uv.x * seen(triangle.y, from, pixel, vec3(0.0)) +
+                 uv.y * seen(triangle.z, from, pixel, vec3(0.0));
+    int reached[kMostReached];
+    reached[0] = faceNumber;
+    int count = 1;
     vec4 sum = vec4(0.0);
     float weights = 0.0;
-    addFace(footprint, faceNumber, corners[0], corners[1], corners[2], sum, weights);
-    // Beyond this the faces that share but a corner are out of reach.
-    float far2 = max(18.0 * footprint.major * footprint.major, 10.0 * footprint.texel2);
-    for (int k = 0; k < 3; ++k) {
-        vec3 hub = corners[k];
-        int before = (k + 2) % 3;
-        uint last = texelFetch(across, 3 * faceNumber + before).x;
-        bool isFar = dot(hub, hub) > far2;
-        bool isClosed = false;
-        for (int back = 0; back < 2 && !isClosed; ++back) {
-            vec3 rim = corners[back == 0 ? (k + 1) % 3 : before];
-            uint next = back == 0 ? texelFetch(across, 3 * faceNumber + k).x : last;
-            for (int n = 0; n < kMostAround; ++n) {
-                int face = int(next >> 2);
-                bool isLast = back == 0 && n > 0 && face == int(last >> 2);
-                isClosed = next != kBorder && (face == faceNumber || isLast || (isFar && n > 0));
-                if (next == kBorder || isClosed) {
-                    break;
+    for (int n = 0; n < count; ++n) {
+        int face = reached[n];
+        uvec3 own = texelFetch(triangles, face).xyz;
+        vec3 corners[3] = vec3[3](seen(own.x, from, pixel, there),
+                                  seen(own.y, from, pixel, there),
+                                  seen(own.z, from, pixel, there));
+        if (n == 0) {
+            addFace(footprint, face, corners[0], corners[1], corners[2], sum, weights);
+        }
+        for (int k = 0; k < 3; ++k) {
+            uint next = texelFetch(across, 3 * face + k).x;
+            int other = int(next >> 2);
+            bool isKnown = next == kBorder;
+            for (int m = 0; m < count && !isKnown; ++m) {
+                isKnown = reached[m] == other;
+            }
+            if (isKnown) {
+                continue;
+            }
+            int edge = int(next & 3u);
+            vec3 apex =
+                seen(texelFetch(triangles, other)[(edge + 2) % 3], from, pixel, there);
+            vec3 start = corners[(k + 1) % 3]; // of the edge as they go about it
+            vec3 end = corners[k];
+            if (addFace(footprint,
+                        other,
+                        edge == 0 ? start : edge == 1 ? apex : end,
+                        edge == 0 ? end : edge == 1 ? start : apex,
+                        edge == 0 ? apex : edge == 1 ? end : start,
+                        sum,
+                        weights)) {
+                if (count == kMostReached) {
+                    return vec4(0.0);
                 }
-                int edge = int(next & 3u);
-                vec3 apex = seen(texelFetch(triangles, face)[(edge + 2) % 3], from, pixel, there);
-                if (back == 0 || n > 0) {
-                    vec3 start = back == 0 ? rim : hub;
-                    vec3 end = back == 0 ? hub : rim;
-                    addFace(footprint,
-                            face,
-                            edge == 0 ? start : edge == 1 ? apex : end,
-                            edge == 0 ? end : edge == 1 ? start : apex,
-                            edge == 0 ? apex : edge == 1 ? end : start,
-                            sum,
-                            weights);
-                }
-                rim = apex;
-                next = texelFetch(across, 3 * face + (edge + 1 + back) % 3).x;
+                reached[count++] = other;
             }
         }
     }
-    return weights > 0.0 ? sum / weights : vec4(0.0);
+    isWhole = weights > 0.0;
+    return sum / max(weights, 1e-30);
 }

@@ -50,8 +50,8 @@ vec4 blockValue(uvec2 block, vec2 at, float level)
 //
 // With the ray (x, y, -1) to the point, a step of a pixel to the right moves the point by
 // (1,0,0) - tilt.x ray, a step upwards by (0,1,0) - tilt.y ray, both by depth and size of a pixel.
-// The products of these two:
-vec3 steps()
+// The products of these two, by the tilt of the surface:
+vec3 steps(vec2 tilt)
 {
     vec2 ray = viewPosition.xy / max(-viewPosition.z, 1e-30);
     float size = dot(ray, ray) + 1.0;

@@ -23,9 +23,6 @@ uniform usamplerBuffer scales;    // a mesh vertex: `VertexScale` in render/filt
 out vec2 log2Scale;
 out vec2 tilt;
 #endif
-#if FILTERING == 4
-out float room;
-#endif
 
 vec3 unpackNormal(uint bits)
 {
@@ -51,20 +48,14 @@ void main()
     uvec3 corners = texelFetch(triangles, face).xyz;
     vec3 weights = vec3(1.0 - uv.x - uv.y, uv);
     log2Scale = vec2(0.0);
-    float heights = 0.0;
     for (int k = 0; k < 3; ++k) {
-        uvec4 scale = texelFetch(scales, int(corners[k]));
-        log2Scale += weights[k] * uintBitsToFloat(scale.xy);
-        heights += weights[k] * (uintBitsToFloat(scale.x) +
-                                 log2(max(float(scale.w >> 24) / 255.0, 1e-4)));
+        log2Scale +=
+            weights[k] * uintBitsToFloat(texelFetch(scales, int(corners[k])).xy);
     }
     float along = dot(viewNormal, seen.xyz);
     float smallest = 0.04 * length(seen.xyz) + 1e-20;
     along = along < 0.0 ? min(along, -smallest) : max(along, smallest);
     tilt = viewNormal.xy * (-seen.z / along);
-#endif
-#if FILTERING == 4
-    room = heights;
 #endif
     gl_Position = projection * seen;
 }

@@ -5,6 +5,7 @@
 // each way of drawing, because a processor that draws runs both sides of every branch.
 // LOOK is 0 for values as they are, 1 for colours in a range, 2 for a number as grey, 3 for a number
 // in false colour: what render/look.cpp does on the processor; and 4 for a colour a face.
+// LIMIT is 1 where pieces of the limit surface are drawn in place of whole faces.
 // FILTERING is the number of `Filtering` in render/filtering.h. From 2 on a piece that follows has
 // `filteredTexel`.
 uniform samplerBuffer texels;
@@ -33,9 +34,6 @@ flat in int faceNumber;
 uniform float unitsPerPixel; // world length of a device pixel at distance 1
 in vec2 log2Scale; // of the length of edges, and of texels, about here
 in vec2 tilt;
-#endif
-#if FILTERING == 4
-in float room; // log2 of the height of the lowest faces about here
 #endif
 out vec4 color;
 

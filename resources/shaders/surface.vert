@@ -20,9 +20,6 @@ uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_
 out vec2 log2Scale;
 out vec2 tilt;
 #endif
-#if FILTERING == 4
-out float room;
-#endif
 
 vec3 unpackNormal(uint bits)
 {
@@ -56,15 +53,12 @@ void main()
     // to the point. On a plane that is linear, so that what is interpolated is right even where a
     // corner lies behind the eye.
     vec3 normal = vec3(unpackUnorm2x16(scale.z), unpackUnorm2x16(scale.w).x) * 2.0 - 1.0;
-    float flatness = float(scale.w >> 16 & 0xffu) / 255.0;
+    float flatness = unpackUnorm2x16(scale.w).y;
     vec3 turned = mat3(view) * normal;
     float along = dot(turned, position.xyz);
     float least = 0.04 * length(position.xyz) + 1e-20;
     along = along < 0.0 ? min(along, -least) : max(along, least);
     tilt = turned.xy * (-position.z * flatness / along);
-#endif
-#if FILTERING == 4
-    room = log2Scale.x + log2(max(float(scale.w >> 24) / 255.0, 1e-4));
 #endif
     gl_Position = projection * position;
 }

@@ -17,6 +17,9 @@ using namespace trixel::render;
 namespace {
 
 constexpr int kSide = 192;
+/// Faces that are seen from nearer to their edge, 6 degrees, are as good as lines: interpolated
+/// across a small part of a pixel, places on them are not exact in floats.
+constexpr double kSteep = 0.1;
 constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
 
 const char* nameOf(Filtering filtering)
@@ -188,30 +191,45 @@ private slots:
         QTest::newRow("torus") << 0;
         QTest::newRow("torus, noise") << 1;
         QTest::newRow("torus from the side") << 2;
+        QTest::newRow("bunny") << 3;
+        QTest::newRow("bunny, noise, near") << 4;
+        QTest::newRow("bunny, noise, far") << 5;
     }
 
     void seamlessWaysDoNotJumpAtEdges()
     {
         QFETCH(int, scene);
-        Shown shown = torus(384);
+        std::optional<Shown> made = scene < 3 ? torus(384) : bunny();
+        QVERIFY2(made, "glmark2-data has the bunny");
+        Shown& shown = *made;
         const TriangleMesh& mesh = shown.surface->mesh();
-        if (scene == 1) {
+        if (scene >= 4) {
+            shown.store = noiseStore(bandedLevels(mesh, 1, 4), 5);
+            shown.scene = sceneOf(*shown.surface, kSide, {{}, 2.0, 0.3, scene == 4 ? 0.12 : 0.4});
+        } else if (scene == 1) {
             shown.store = noiseStore(mixedLevels(mesh.faceCount(), 1, 5, 7), 5);
         } else if (scene == 2) {
             shown.store = noiseStore(bandedLevels(mesh, 2, 4), 5);
             shown.scene = sceneOf(*shown.surface, 384, {{}, 0.7, 2.5, 1.2});
         }
         const auto renderer = rendererOf(*shown.surface, shown.store);
-        prepareFilterings(*renderer, shown.store);
-        QVERIFY(largestJump(*renderer, shown, Filtering::Texels) > 0.3);
-        QVERIFY(m_crossed >= 100);
-        QVERIFY(largestJump(*renderer, shown, Filtering::PackedAtlas) > 0.1);
-        const double seamless = largestJump(*renderer, shown, Filtering::Seamless);
-        const double anisotropic = largestJump(*renderer, shown, Filtering::Anisotropic);
-        qInfo() << "largest jumps of" << m_crossed << "pixels by edges: seamless" << 255 * seamless
-                << "of 255, anisotropic" << 255 * anisotropic;
-        QVERIFY2(seamless <= 1.0 / 255, qPrintable(QString::number(255 * seamless)));
-        QVERIFY2(anisotropic <= 1.0 / 255, qPrintable(QString::number(255 * anisotropic)));
+        const int moves = scene < 3 ? 16 : 10;
+        if (scene < 3) {
+            prepareFilterings(*renderer, shown.store);
+            QVERIFY(largestJump(*renderer, shown, Filtering::Texels, moves) > 0.3);
+            QVERIFY(largestJump(*renderer, shown, Filtering::PackedAtlas, moves) > 0.1);
+        }
+        for (const Filtering filtering : {Filtering::Seamless, Filtering::Anisotropic}) {
+            prepareFilterings(*renderer, shown.store, std::span(&filtering, 1));
+            const double largest = 255 * largestJump(*renderer, shown, filtering, moves);
+            qInfo() << nameOf(filtering) << "largest jump of" << m_crossed << "pixels by edges"
+                    << largest << "of 255; by faces seen from their edge" << 255 * m_steep;
+            QVERIFY(m_crossed >= 100);
+            // The bunny's faces are less than pixels in places, where sums give way to probes by
+            // face.
+            const bool mayDiffer = scene >= 3 && filtering == Filtering::Anisotropic;
+            QVERIFY2(largest <= (mayDiffer ? 2 : 1), qPrintable(QString::number(largest)));
+        }
     }
 
     void anisotropicIsNearTheExactAnswer_data()
@@ -220,16 +238,14 @@ private slots:
         QTest::addColumn<double>("yaw");
         QTest::addColumn<double>("pitch");
         QTest::addColumn<double>("distance");
-        QTest::addColumn<double>("bar");
-        QTest::newRow("torus, banded levels") << 0 << 0.4 << 0.75 << 1.0 << 0.015;
-        QTest::newRow("torus, banded levels, near") << 0 << 2.5 << 1.1 << 0.5 << 0.015;
-        QTest::newRow("torus, mixed levels") << 1 << 1.0 << 0.4 << 0.75 << 0.015;
-        QTest::newRow("torus, mixed levels, near") << 1 << 1.0 << 0.4 << 0.3 << 0.015;
-        QTest::newRow("bunny") << 2 << 3.0 << 0.2 << 0.2 << 0.015;
-        QTest::newRow("bunny, near") << 2 << 4.0 << 0.6 << 0.1 << 0.015;
-        // Where pixels reach beyond the faces about them probes take over.
-        QTest::newRow("torus, mixed levels, far") << 1 << 0.4 << 0.75 << 1.0 << 0.025;
-        QTest::newRow("bunny, far") << 2 << 1.0 << 0.3 << 0.6 << 0.02;
+        QTest::newRow("torus, banded levels") << 0 << 0.4 << 0.75 << 1.0;
+        QTest::newRow("torus, banded levels, near") << 0 << 2.5 << 1.1 << 0.5;
+        QTest::newRow("torus, mixed levels") << 1 << 1.0 << 0.4 << 0.75;
+        QTest::newRow("torus, mixed levels, near") << 1 << 1.0 << 0.4 << 0.3;
+        QTest::newRow("bunny") << 2 << 3.0 << 0.2 << 0.2;
+        QTest::newRow("bunny, near") << 2 << 4.0 << 0.6 << 0.1;
+        QTest::newRow("torus, mixed levels, far") << 1 << 0.4 << 0.75 << 1.0;
+        QTest::newRow("bunny, far") << 2 << 1.0 << 0.3 << 0.6;
     }
 
     void anisotropicIsNearTheExactAnswer()
@@ -238,7 +254,6 @@ private slots:
         QFETCH(double, yaw);
         QFETCH(double, pitch);
         QFETCH(double, distance);
-        QFETCH(double, bar);
         std::optional<Shown> shown = scene == 2 ? bunny() : torus();
         QVERIFY2(shown, "glmark2-data has the bunny");
         if (scene == 0) {
@@ -276,7 +291,7 @@ private slots:
                     << 100 * off.p99 << "worst %" << 100 * off.worst;
             rms[static_cast<std::size_t>(filtering)] = off.rms;
         }
-        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <= bar);
+        QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <= 0.015);
         QVERIFY(rms[static_cast<std::size_t>(Filtering::Anisotropic)] <=
                 rms[static_cast<std::size_t>(Filtering::Seamless)]);
         QVERIFY(rms[static_cast<std::size_t>(Filtering::Seamless)] <=
@@ -365,16 +380,29 @@ private slots:
     }
 
 private:
-    double largestJump(Renderer& renderer, const Shown& shown, Filtering filtering, int moves = 16)
+    /// A pixel by an edge that comes to lie on its other side.
+    struct Jump
     {
-        // By so much the picture moves each time: a pixel by an edge is then on its other side.
-        constexpr double kMove = 1.0 / 256;
-        Scene scene = shown.scene;
-        scene.surface.filtering = filtering;
+        double size = 0;   ///< less what the picture changes by beside the edge
+        double facing = 0; ///< cosine of the angle at which the more slanting face is seen
+    };
+
+    static double facing(const Shown& shown, std::size_t face)
+    {
+        const auto at = shown.surface->mesh().corners(faceId(face));
+        const glm::dvec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
+        const glm::dvec3 eye(shown.scene.camera.eye() - glm::dvec3(at[0]));
+        return std::abs(glm::dot(normal, eye)) /
+               std::max(glm::length(normal) * glm::length(eye), 1e-30);
+    }
+
+    /// Of all pixels by edges, while the picture moves.
+    std::vector<Jump> jumpsOf(Renderer& renderer, const Shown& shown, Scene scene, int moves)
+    {
+        constexpr double kMove = 1.0 / 256; // pixels
         const std::size_t faces = shown.surface->mesh().faceCount();
         const Adjacency& adjacency = shown.surface->adjacency();
-        double largest = 0;
-        m_crossed = 0;
+        std::vector<Jump> jumps;
         std::vector<std::vector<std::uint32_t>> seen;
         std::vector<DrawnPicture> drawn;
         for (int k = 0; k < moves; ++k) {
@@ -396,16 +424,36 @@ private:
                 if (!neighbours) {
                     continue; // or one behind the other
                 }
-                ++m_crossed;
-                const auto change = [&](std::size_t move, int c) {
-                    return std::abs(double{drawn[move + 1].pixel(p)[c]} -
-                                    double{drawn[move].pixel(p)[c]});
+                const auto change = [&](std::size_t at, int c) {
+                    return std::abs(double{drawn[at + 1].pixel(p)[c]} -
+                                    double{drawn[at].pixel(p)[c]});
                 };
+                Jump jump;
+                jump.facing = std::min(facing(shown, from - 1), facing(shown, to - 1));
                 for (int c = 0; c < 3; ++c) {
-                    // Less what the picture changes by beside the edge.
-                    const double jump = change(k, c) - change(k - 1, c) - change(k + 1, c);
-                    largest = std::max(largest, jump);
+                    jump.size =
+                        std::max(jump.size, change(k, c) - change(k - 1, c) - change(k + 1, c));
                 }
+                jumps.push_back(jump);
+            }
+        }
+        return jumps;
+    }
+
+    double largestJump(Renderer& renderer, const Shown& shown, Filtering filtering, int moves)
+    {
+        Scene scene = shown.scene;
+        scene.surface.filtering = filtering;
+        const std::vector<Jump> jumps = jumpsOf(renderer, shown, scene, moves);
+        m_crossed = 0;
+        m_steep = 0;
+        double largest = 0;
+        for (const Jump& jump : jumps) {
+            if (jump.facing < kSteep) {
+                m_steep = std::max(m_steep, jump.size);
+            } else {
+                ++m_crossed;
+                largest = std::max(largest, jump.size);
             }
         }
         return largest;
@@ -416,6 +464,7 @@ private:
     std::optional<Shown> m_torus;
     std::optional<Shown> m_bunny;
     int m_crossed = 0;
+    double m_steep = 0; ///< largest jump by faces that are seen from their edge
 };
 
 QTEST_MAIN(TestFiltering)
