@@ -59,6 +59,17 @@ Change changeOf(const TexelPatch& patch, const TexelStore& texels)
     return change;
 }
 
+QString strokeText(bool erases)
+{
+    return erases ? Document::tr("Erase stroke") : Document::tr("Brush stroke");
+}
+
+QString fillText(std::size_t faces)
+{
+    return faces == 1 ? Document::tr("Fill face")
+                      : Document::tr("Fill %n faces", nullptr, static_cast<int>(faces));
+}
+
 } // namespace
 
 Document::Document(QObject* parent)
@@ -82,7 +93,7 @@ void Document::open(Project project, const QString& path, const QString& title)
     m_stroke.reset();
     m_kept.reset();
     for (const Later& later : std::exchange(m_later, {})) {
-        if (!later.isEdit) {
+        if (later.command == nullptr) {
             later.work(); // somebody waits for its end
         }
     }
@@ -118,8 +129,8 @@ StateId Document::state() const
     const QUndoCommand* last = m_undo.command(m_undo.index() - 1);
     const auto* step = dynamic_cast<const DocumentStep*>(last);
     StateId state = step != nullptr ? step->state() : m_openedState;
-    if (m_pending != nullptr) {
-        state.texels = m_texelsBeforePending; // until its last texel is there
+    if (hasUnsettled()) {
+        state.texels = m_texelsBeforePending; // until the next one's last texel is there
     }
     return state;
 }
@@ -218,10 +229,11 @@ void Document::liftStroke()
 void Document::endStroke()
 {
     if (m_kept) {
-        m_later.push_back({true, [this, kept = *std::exchange(m_kept, {})] {
-                               play(kept);
-                               finish();
-                           }});
+        const KeptStroke kept = *std::exchange(m_kept, {});
+        wait(strokeText(kept.brush.blend == BlendMode::Erase), [this, kept] {
+            play(kept);
+            finish();
+        });
     } else {
         finish();
     }
@@ -235,7 +247,7 @@ void Document::finish()
     }
     TexelPatch patch = m_stroke->finish(m_project.texels);
     m_stroke.reset();
-    push(std::move(patch), m_strokeErases ? tr("Erase stroke") : tr("Brush stroke"));
+    push(std::move(patch), strokeText(m_strokeErases));
 }
 
 void Document::cancelStroke()
@@ -262,8 +274,8 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
     endStroke();
     std::vector<FaceId> chosen(faces.begin(), faces.end());
     if (isSettling()) {
-        m_later.push_back(
-            {true, [this, chosen = std::move(chosen), color] { fill(chosen, color); }});
+        const QString text = fillText(chosen.size());
+        wait(text, [this, chosen = std::move(chosen), color] { fill(chosen, color); });
     } else {
         fill(chosen, color);
     }
@@ -272,12 +284,10 @@ void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 
 void Document::fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color)
 {
     const std::vector<std::byte> texel = encodeTexel(m_project.texels.format(), color);
-    const QString text = faces.size() == 1
-                             ? tr("Fill face")
-                             : tr("Fill %n faces", nullptr, static_cast<int>(faces.size()));
+    const QString text = fillText(faces.size());
     if (faces.size() >= kFacesBehind) {
         watch(std::make_unique<BehindStroke>(m_project.texels, faces, texel, m_strokeThread));
-        pushPending(text);
+        beginPending(text);
         emit fillPlaced(faces, color);
         return;
     }
@@ -328,7 +338,9 @@ bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text
 
 void Document::push(TexelPatch applied, const QString& text)
 {
-    if (!applied.isEmpty()) {
+    if (m_waited != nullptr) {
+        complete(*std::exchange(m_waited, nullptr), std::move(applied));
+    } else if (!applied.isEmpty()) {
         const StateId next{++m_lastState, state().views};
         m_undo.push(new SwapPatch(*this, std::move(applied), next, text)); // the stack owns it
     }
@@ -372,8 +384,8 @@ void Document::pushViews(SceneViews next, const QString& text)
 StateId Document::withOtherViews()
 {
     // Those of the step below, even if its last texel is not there yet.
-    const std::uint64_t texels = m_pending != nullptr ? m_pending->state().texels : state().texels;
-    return {texels, ++m_lastState};
+    const auto* last = dynamic_cast<const DocumentStep*>(m_undo.command(m_undo.index() - 1));
+    return {last != nullptr ? last->state().texels : state().texels, ++m_lastState};
 }
 
 void Document::setCreaseAngle(CreaseAngle angle, bool goesOn)

@@ -183,7 +183,7 @@ private:
     /// What waits for a stroke to settle.
     struct Later
     {
-        bool isEdit = false;
+        PendingStroke* command = nullptr; ///< of an edit, on the stack; none for anything else
         std::function<void()> work;
     };
     void start(const Brush& brush, StrokePace pace, std::shared_ptr<const LimitMesh> limit);
@@ -194,12 +194,18 @@ private:
     void endBehind();
     void dropBehind();
     void settle(TexelPatch& applied);
+    void complete(PendingStroke& command, TexelPatch applied);
     void doLater();
     void play(const KeptStroke& kept);
-    std::unique_ptr<BehindStroke> takeBackPending();
+    bool hasUnsettled() const;
+    void wait(const QString& text, std::function<void()> work);
+    void waitAgain(PendingStroke& command, std::function<void()> work);
+    void doWaiting(PendingStroke& command, const std::function<void()>& work);
+    std::function<void()> takeBackWaiting(PendingStroke& command);
     std::unique_ptr<BehindStroke> hideBehind();
     void resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& command);
-    void pushPending(const QString& text);
+    PendingStroke* pushPending(const QString& text);
+    void beginPending(const QString& text);
     void fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color);
     void swapPatch(TexelPatch& patch);
     void swapStore(TexelStore& texels);
@@ -228,7 +234,8 @@ private:
     QThreadPool m_strokeThread;
     std::unique_ptr<BehindStroke> m_behind;  ///< a stroke or fill painted behind
     PendingStroke* m_pending = nullptr;      ///< its command, on the stack
-    std::uint64_t m_texelsBeforePending = 0; ///< the texels' state until it settles
+    PendingStroke* m_waited = nullptr;       ///< of what waited and is being done now
+    std::uint64_t m_texelsBeforePending = 0; ///< the texels' state until another edit settles
     std::optional<KeptStroke> m_kept;        ///< being drawn while another settles
     std::vector<Later> m_later;
     QUndoStack m_undo;

@@ -25,7 +25,7 @@ bool Document::isSettling() const
 void Document::whenSettled(std::function<void()> work)
 {
     if (isSettling() || !m_later.empty()) {
-        m_later.push_back({false, std::move(work)});
+        m_later.push_back({nullptr, std::move(work)});
     } else {
         work();
     }
@@ -62,7 +62,7 @@ void Document::endBehind()
         return;
     }
     m_behind->end();
-    pushPending(m_strokeErases ? tr("Erase stroke") : tr("Brush stroke"));
+    beginPending(m_strokeErases ? tr("Erase stroke") : tr("Brush stroke"));
 }
 
 /// Nothing of it stays; what waited for it goes on.
@@ -93,7 +93,9 @@ std::unique_ptr<BehindStroke> Document::hideBehind()
 void Document::resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& command)
 {
     cancelStroke();
-    m_texelsBeforePending = state().texels;
+    if (!hasUnsettled()) {
+        m_texelsBeforePending = state().texels;
+    }
     m_pending = &command;
     m_project.texels = work->told();
     const std::vector<TouchedRect> touched = work->touched();
@@ -109,25 +111,42 @@ void Document::settle(TexelPatch& applied)
     PendingStroke* command = std::exchange(m_pending, nullptr);
     if (command == nullptr) {
         push(std::move(applied), tr("Brush stroke"));
-    } else if (!applied.isEmpty()) {
-        command->settle(std::move(applied));
     } else {
-        command->makeVoid();
-        if (m_undo.command(m_undo.index() - 1) == command) {
-            m_undo.undo(); // which removes it
-        }
+        complete(*command, std::move(applied));
     }
     emit settled(true);
     announceModified();
     doLater();
 }
 
+/// A command of what was painted later than asked for has what it was to have.
+void Document::complete(PendingStroke& command, TexelPatch applied)
+{
+    if (!applied.isEmpty()) {
+        command.settle(std::move(applied));
+        m_texelsBeforePending = command.state().texels;
+        return;
+    }
+    command.makeVoid();
+    if (m_undo.command(m_undo.index() - 1) == &command) {
+        m_undo.undo(); // which removes it
+    }
+}
+
 void Document::doLater()
 {
+    if (m_waited != nullptr) {
+        return; // one after the other
+    }
     while (!m_later.empty() && !isSettling()) {
         const Later next = std::move(m_later.front());
         m_later.erase(m_later.begin());
-        next.work();
+        if (next.command != nullptr) {
+            doWaiting(*next.command, next.work);
+            announceModified();
+        } else {
+            next.work();
+        }
     }
     if (m_kept && !isSettling()) {
         play(*std::exchange(m_kept, {}));
@@ -146,42 +165,70 @@ void Document::play(const KeptStroke& kept)
     }
 }
 
-void Document::pushPending(const QString& text)
+// What is done later than asked for has its command on the stack all the time: undone and redone in
+// its place, whether it waits, is being painted or is there.
+
+bool Document::hasUnsettled() const
+{
+    return m_pending != nullptr || m_waited != nullptr ||
+           std::ranges::any_of(m_later, [](const Later& one) { return one.command != nullptr; });
+}
+
+PendingStroke* Document::pushPending(const QString& text)
 {
     const StateId now = state();
-    m_texelsBeforePending = now.texels;
-    auto command = std::make_unique<PendingStroke>(*this, StateId{++m_lastState, now.views}, text);
-    m_pending = command.get();
-    m_undo.push(command.release()); // the stack owns it
+    if (!hasUnsettled()) {
+        m_texelsBeforePending = now.texels;
+    }
+    auto* command = new PendingStroke(*this, StateId{++m_lastState, now.views}, text);
+    m_undo.push(command); // the stack owns it
+    return command;
+}
+
+/// For what has begun to settle.
+void Document::beginPending(const QString& text)
+{
+    m_pending = m_waited != nullptr ? std::exchange(m_waited, nullptr) : pushPending(text);
     announceModified();
 }
 
-/// An undo while something is settling takes back what was done last: what waits, if anything does.
-/// \return  what was settling, if that was taken back
-std::unique_ptr<BehindStroke> Document::takeBackPending()
+void Document::wait(const QString& text, std::function<void()> work)
 {
-    const auto last = std::ranges::find_if(m_later.rbegin(), m_later.rend(), &Later::isEdit);
-    const bool keepsSettling = m_kept || last != m_later.rend();
-    if (!keepsSettling) {
-        return hideBehind();
+    m_later.push_back({pushPending(text), std::move(work)});
+    announceModified();
+}
+
+/// Redone: behind what waits by now, or at once.
+void Document::waitAgain(PendingStroke& command, std::function<void()> work)
+{
+    cancelStroke();
+    if (isSettling() || !m_later.empty()) {
+        m_later.push_back({&command, std::move(work)});
+        return;
     }
-    if (m_kept) {
-        m_kept.reset();
-    } else {
-        m_later.erase(std::next(last).base());
+    m_texelsBeforePending = state().texels;
+    doWaiting(command, work);
+}
+
+void Document::doWaiting(PendingStroke& command, const std::function<void()>& work)
+{
+    m_waited = &command;
+    work();
+    if (std::exchange(m_waited, nullptr) != nullptr) {
+        complete(command, {}); // it came to nothing
     }
-    // The command that is being undone goes; another takes its place.
-    const QString text = m_pending->text();
-    m_pending = nullptr;
-    QMetaObject::invokeMethod(
-        this,
-        [this, text] {
-            if (isSettling() && m_pending == nullptr) {
-                pushPending(text);
-            }
-        },
-        Qt::QueuedConnection);
-    return nullptr;
+}
+
+/// \return  what it would have done, if it waits
+std::function<void()> Document::takeBackWaiting(PendingStroke& command)
+{
+    const auto at = std::ranges::find(m_later, &command, &Later::command);
+    if (at == m_later.end()) {
+        return {};
+    }
+    std::function<void()> work = std::move(at->work);
+    m_later.erase(at);
+    return work;
 }
 
 } // namespace trixel::ui

@@ -22,14 +22,17 @@ void PendingStroke::undo()
         m_applied = false;
         return;
     }
-    if (!m_isVoid) {
-        m_unwanted = m_document.takeBackPending();
-    }
-    if (!m_unwanted) {
+    if (m_isVoid) {
         setObsolete(true);
         return;
     }
     m_applied = false;
+    m_document.cancelStroke(); // as with any other step
+    m_waiting = m_document.takeBackWaiting(*this);
+    if (m_waiting) {
+        return;
+    }
+    m_unwanted = m_document.hideBehind();
     QObject::connect(m_unwanted.get(),
                      &BehindStroke::finished,
                      m_unwanted.get(),
@@ -59,9 +62,10 @@ void PendingStroke::redo()
     } else if (m_unwanted) {
         m_unwanted->disconnect();
         m_document.resumePending(std::move(m_unwanted), *this);
-    } else {
-        setObsolete(true); // it came to nothing
+    } else if (m_waiting) {
+        m_document.waitAgain(*this, std::exchange(m_waiting, {}));
     }
+    setObsolete(m_isVoid); // it came to nothing
 }
 
 } // namespace trixel::ui

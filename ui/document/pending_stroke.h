@@ -4,6 +4,7 @@
 #include "core/texture/texel_patch.h"
 #include "ui/document/document_step.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,8 +13,9 @@ namespace trixel::ui {
 
 class BehindStroke;
 
-/// Undo command of a change that is still being made on another thread when it is pushed. Undone
-/// before it is there the change is made all the same, out of sight: to be redone at any time.
+/// Undo command of a change that is still being made on another thread when it is pushed, or waits
+/// for one that is. Undone before it is there the first is made all the same, out of sight, and the
+/// other is kept as it was asked for: to be redone at any time.
 class PendingStroke : public DocumentStep
 {
 public:
@@ -35,6 +37,7 @@ private:
     Document& m_document;
     std::optional<TexelPatch> m_patch;        ///< none while it is being made
     std::unique_ptr<BehindStroke> m_unwanted; ///< what makes it while it is undone
+    std::function<void()> m_waiting;          ///< what was to be done, while it is undone
     bool m_applied = true;
     bool m_isVoid = false;
 };

@@ -58,6 +58,15 @@ private:
     std::vector<std::byte> texels() const { return allTexels(m_document->texels()); }
     std::vector<std::byte> plainTexels() const { return allTexels(m_plain->texels()); }
 
+    /// A stroke, and three edits that wait for it when it is painted behind.
+    static void paintWaiting(Document& document, StrokePace pace)
+    {
+        paint(document, wideBrush(), pace);
+        paint(document, wideBrush(0.2F), StrokePace::AtOnce);
+        document.fillFaces(std::array{FaceId{4}, FaceId{5}}, kBlue);
+        paint(document, wideBrush(0.7F), pace);
+    }
+
 private slots:
     void init()
     {
@@ -299,7 +308,121 @@ private slots:
         paint(*m_plain, wideBrush(), StrokePace::AtOnce);
         QCOMPARE(texels(), plainTexels());
         QTest::qWait(10);
-        QCOMPARE(stack().count(), 1);
+        QCOMPARE(stack().index(), 1);
+        stack().undo();
+        QCOMPARE(texels(), m_before);
+    }
+
+    void whatWaitsIsAStepOfItsOwnFromTheBeginning()
+    {
+        paintWaiting(*m_document, StrokePace::Behind);
+        QVERIFY(m_document->isSettling());
+        QCOMPARE(stack().count(), 4);
+        QCOMPARE(stack().undoText(), QStringLiteral("Brush stroke"));
+        stack().undo();
+        QCOMPARE(stack().undoText(), QStringLiteral("Fill 2 faces"));
+    }
+
+    void whatWaitsCanBeUndoneAndRedone_data()
+    {
+        QTest::addColumn<int>("undone");
+        QTest::addColumn<int>("wait");
+        for (const int undone : {1, 2, 3, 4}) {
+            QTest::addRow("%d at once", undone) << undone << 0;
+            QTest::addRow("%d a little later", undone) << undone << 3;
+            QTest::addRow("%d once the first has settled", undone) << undone << 300;
+        }
+    }
+    void whatWaitsCanBeUndoneAndRedone()
+    {
+        QFETCH(int, undone);
+        QFETCH(int, wait);
+        const StateId before = m_document->state();
+        paintWaiting(*m_document, StrokePace::Behind);
+        paintWaiting(*m_plain, StrokePace::AtOnce);
+        QVERIFY(m_document->isSettling());
+        for (int k = 0; k < undone; ++k) {
+            stack().undo();
+        }
+        QTest::qWait(wait);
+        QCOMPARE(stack().count(), 4);
+        for (int k = 0; k < undone; ++k) {
+            QVERIFY(stack().canRedo());
+            stack().redo();
+        }
+        waitUntilSettled();
+        QCOMPARE(texels(), plainTexels());
+        QCOMPARE(stack().count(), 4);
+        std::vector<StateId> states;
+        for (int k = 0; k < 4; ++k) {
+            states.push_back(m_document->state());
+            QCOMPARE(texels(), plainTexels());
+            stack().undo();
+            m_plain->undoStack().undo();
+        }
+        QCOMPARE(texels(), m_before);
+        QCOMPARE(m_document->state(), before);
+        for (int k = 4; k > 0; --k) {
+            stack().redo();
+            m_plain->undoStack().redo();
+            QCOMPARE(texels(), plainTexels());
+            QCOMPARE(m_document->state(), states[static_cast<std::size_t>(k - 1)]);
+        }
+    }
+
+    void undoneWhatWaitedGoesForGoodWhenSomethingElseIsDone()
+    {
+        paintWaiting(*m_document, StrokePace::Behind);
+        stack().undo();
+        stack().undo();
+        paint(*m_document, wideBrush(0.4F), StrokePace::AtOnce);
+        QVERIFY(!stack().canRedo());
+        waitUntilSettled();
+        paint(*m_plain, wideBrush(), StrokePace::AtOnce);
+        paint(*m_plain, wideBrush(0.2F), StrokePace::AtOnce);
+        paint(*m_plain, wideBrush(0.4F), StrokePace::AtOnce);
+        QCOMPARE(texels(), plainTexels());
+        QCOMPARE(stack().count(), 3);
+    }
+
+    void whatWaitsHasItsStateOnlyOnceItIsThere()
+    {
+        const StateId before = m_document->state();
+        paintWaiting(*m_document, StrokePace::Behind);
+        QCOMPARE(m_document->state(), before);
+        stack().undo();
+        QCOMPARE(m_document->state(), before);
+        stack().redo();
+        QCOMPARE(m_document->state(), before);
+        std::vector<StateId> found;
+        connect(m_document.get(), &Document::settled, this, [&] {
+            found.push_back(m_document->state());
+        });
+        waitUntilSettled();
+        QCOMPARE(found.size(), 2U); // of two strokes painted behind
+        QVERIFY(found[0] != before);
+        QVERIFY(found[1] != found[0]);
+        QCOMPARE(found[1], m_document->state());
+    }
+
+    void whatWaitedAndComesToNothingLeavesNoStep()
+    {
+        Brush brush = wideBrush();
+        brush.blend = BlendMode::Erase; // what is there already
+        paint(*m_document, brush, StrokePace::Behind);
+        paint(*m_document, brush, StrokePace::AtOnce);
+        QCOMPARE(stack().count(), 2);
+        waitUntilSettled();
+        stack().undo(); // the first may be below the second when it turns out to be nothing
+        QCOMPARE(texels(), m_before);
+        QVERIFY(!stack().canUndo());
+        paint(*m_document, brush, StrokePace::Behind);
+        m_document->beginStroke(wideBrush(), StrokePace::Behind);
+        m_document->endStroke(); // without a dab
+        m_document->fillFaces(std::array{FaceId{4}}, kBlue);
+        waitUntilSettled();
+        m_plain->fillFaces(std::array{FaceId{4}}, kBlue);
+        QCOMPARE(texels(), plainTexels());
         stack().undo();
         QCOMPARE(texels(), m_before);
     }
