@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <mutex>
 
 namespace trixel {
 
@@ -264,37 +265,85 @@ private:
     std::vector<std::span<std::byte>> m_pixels; ///< of each page
 };
 
-/// Largest difference along the edges of a face, those counted that the other side doesn't.
-double largestJump(const HandOffLayout& layout,
-                   std::span<const Image> pages,
-                   const Adjacency& adjacency,
-                   int pointsPerInterval,
-                   FaceId face)
+/// Looks along the edges of faces at what both sides show, from several threads.
+class JumpMeter
 {
-    double largest = 0;
-    std::vector<float> here(pages.empty() ? 0 : pages.front().format().channels);
-    std::vector<float> there(here.size());
-    const auto look = [&](FaceId at, glm::dvec2 uv, std::span<float> value) {
-        bilinear(pages[layout.place(at).page], layout.position(at, uv), value);
-    };
-    for (const LocalEdge edge : {LocalEdge::E0, LocalEdge::E1, LocalEdge::E2}) {
-        const auto next = adjacency.neighbour(face, edge);
-        if (!next || std::pair(next->face, next->edge) < std::pair(face, edge)) {
-            continue;
-        }
-        const int points = pointsPerInterval * std::max(layout.tile(face).intervals(),
-                                                        layout.tile(next->face).intervals());
-        for (int k = 0; k <= points; ++k) {
-            const double t = static_cast<double>(k) / points;
-            look(face, fromEdge(edge, {t, 0}), here);
-            look(next->face, fromEdge(next->edge, {1 - t, 0}), there);
-            for (std::size_t c = 0; c < here.size(); ++c) {
-                largest = std::max(largest, std::abs(double(here[c]) - double(there[c])));
-            }
-        }
+public:
+    JumpMeter(const HandOffLayout& layout,
+              std::span<const Image> pages,
+              const Adjacency& adjacency,
+              int pointsPerInterval)
+        : m_layout(layout)
+        , m_pages(pages)
+        , m_adjacency(adjacency)
+        , m_pointsPerInterval(pointsPerInterval)
+    {
     }
-    return largest;
-}
+
+    /// Points along those edges of the face that the other side does not count.
+    std::uint64_t points(FaceId face) const
+    {
+        std::uint64_t sum = 0;
+        for (const LocalEdge edge : kLocalEdges) {
+            sum += points(face, edge);
+        }
+        return sum;
+    }
+
+    void measure(const FacePiece& piece)
+    {
+        std::vector<float> values(3 * channels());
+        const auto here = std::span(values).first(channels());
+        const auto there = std::span(values).subspan(channels(), channels());
+        const auto scratch = std::span(values).last(channels());
+        const auto look = [&](FaceId at, glm::dvec2 uv, std::span<float> value) {
+            bilinear(m_pages[m_layout.place(at).page], m_layout.position(at, uv), value, scratch);
+        };
+        double largest = 0;
+        std::uint64_t first = piece.first; // of the edge
+        std::uint64_t left = piece.count;
+        for (const LocalEdge edge : kLocalEdges) {
+            const std::uint64_t count = points(piece.face, edge);
+            const auto next = m_adjacency.neighbour(piece.face, edge);
+            for (; first < count && left > 0; ++first, --left) {
+                const double t = static_cast<double>(first) / static_cast<double>(count - 1);
+                look(piece.face, fromEdge(edge, {t, 0}), here);
+                look(next->face, fromEdge(next->edge, {1 - t, 0}), there);
+                for (std::size_t c = 0; c < here.size(); ++c) {
+                    largest = std::max(largest, std::abs(double(here[c]) - double(there[c])));
+                }
+            }
+            first -= std::min(first, count);
+        }
+        const std::lock_guard lock(m_mutex);
+        m_largest = std::max(m_largest, largest);
+    }
+
+    double largest() const { return m_largest; }
+
+private:
+    std::size_t channels() const { return m_pages.empty() ? 0 : m_pages.front().format().channels; }
+
+    std::uint64_t points(FaceId face, LocalEdge edge) const
+    {
+        const auto next = m_adjacency.neighbour(face, edge);
+        if (!next || std::pair(next->face, next->edge) < std::pair(face, edge)) {
+            return 0;
+        }
+        const int intervals =
+            std::max(m_layout.tile(face).intervals(), m_layout.tile(next->face).intervals());
+        return static_cast<std::uint64_t>(m_pointsPerInterval) *
+                   static_cast<std::uint64_t>(intervals) +
+               1;
+    }
+
+    const HandOffLayout& m_layout;
+    std::span<const Image> m_pages;
+    const Adjacency& m_adjacency;
+    int m_pointsPerInterval;
+    std::mutex m_mutex;
+    double m_largest = 0;
+};
 
 } // namespace
 
@@ -360,23 +409,21 @@ Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
     return painter.takePages();
 }
 
-HandOffReport measureHandOff(const HandOffLayout& layout,
-                             std::span<const Image> pages,
-                             const Adjacency& adjacency,
-                             int pointsPerInterval,
-                             Threads threads)
+Result<HandOffReport> measureHandOff(const HandOffLayout& layout,
+                                     std::span<const Image> pages,
+                                     const Adjacency& adjacency,
+                                     int pointsPerInterval,
+                                     Threads threads,
+                                     Progress& progress)
 {
-    FaceMap<double> jumps(layout.faceCount());
-    parallelFor(layout.faceCount(), 16, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            jumps[faceId(f)] = largestJump(layout, pages, adjacency, pointsPerInterval, faceId(f));
-        }
-    });
-    HandOffReport report;
-    for (const double jump : jumps.values()) {
-        report.largestJump = std::max(report.largestJump, jump);
-    }
-    return report;
+    JumpMeter meter(layout, pages, adjacency, pointsPerInterval);
+    return forFacePieces(
+               layout.faceCount(),
+               [&](FaceId face) { return meter.points(face); },
+               threads,
+               progress,
+               [&](const FacePiece& piece) { meter.measure(piece); })
+        .map([&] { return HandOffReport{meter.largest()}; });
 }
 
 } // namespace trixel

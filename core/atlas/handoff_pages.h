@@ -48,11 +48,13 @@ struct HandOffReport
     double largestJump = 0;
 };
 
-/// Measures pages as a program would show them: at so many points along each shared edge.
-HandOffReport measureHandOff(const HandOffLayout& layout,
-                             std::span<const Image> pages,
-                             const Adjacency& adjacency,
-                             int pointsPerInterval,
-                             Threads threads);
+/// Measures pages as a program would show them: at so many points along each shared edge. Fails
+/// when cancelled and when memory runs out.
+Result<HandOffReport> measureHandOff(const HandOffLayout& layout,
+                                     std::span<const Image> pages,
+                                     const Adjacency& adjacency,
+                                     int pointsPerInterval,
+                                     Threads threads,
+                                     Progress& progress);
 
 } // namespace trixel

@@ -27,7 +27,15 @@ std::span<const std::byte> pixelOf(const Image& page, AtlasPixel pixel)
 
 void bilinear(const Image& page, glm::dvec2 place, std::span<float> value)
 {
-    check(value.size() == page.format().channels && !page.isEmpty(), "a pixel to interpolate");
+    std::vector<float> scratch(value.size());
+    bilinear(page, place, value, scratch);
+}
+
+void bilinear(const Image& page, glm::dvec2 place, std::span<float> value, std::span<float> scratch)
+{
+    check(value.size() == page.format().channels && scratch.size() == value.size() &&
+              !page.isEmpty(),
+          "a pixel to interpolate");
     const auto whole = [](double at, int count) {
         return static_cast<std::uint32_t>(std::clamp(at, 0.0, count - 1.0));
     };
@@ -36,16 +44,15 @@ void bilinear(const Image& page, glm::dvec2 place, std::span<float> value)
     const double across = place.x - 0.5 - x;
     const double down = place.y - 0.5 - y;
     std::ranges::fill(value, 0.0F);
-    std::vector<float> one(value.size());
     for (int k = 0; k < 4; ++k) {
         const double weight = (k % 2 == 1 ? across : 1 - across) * (k / 2 == 1 ? down : 1 - down);
         if (weight == 0) {
             continue; // whatever is there, be it NaN
         }
         const AtlasPixel pixel{whole(x + k % 2, page.width()), whole(y + k / 2, page.height())};
-        decode(page.format().type, pixelOf(page, pixel), one);
+        decode(page.format().type, pixelOf(page, pixel), scratch);
         for (std::size_t c = 0; c < value.size(); ++c) {
-            value[c] += static_cast<float>(weight) * one[c];
+            value[c] += static_cast<float>(weight) * scratch[c];
         }
     }
 }

@@ -25,5 +25,10 @@ std::span<const std::byte> pixelOf(const Image& page, AtlasPixel pixel);
 /// stored, those of the page's border repeated. Pixel centres are at 1/2.
 /// \param value  a float a channel (checked)
 void bilinear(const Image& page, glm::dvec2 place, std::span<float> value);
+/// The same for loops. \param scratch  a float a channel (checked), overwritten
+void bilinear(const Image& page,
+              glm::dvec2 place,
+              std::span<float> value,
+              std::span<float> scratch);
 
 } // namespace trixel

@@ -202,27 +202,35 @@ Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
     if (!plan) {
         return tl::unexpected(plan.error());
     }
+    // First of all, so that a folder that cannot be written to is noticed before the work.
+    auto files = StagedFiles::beside(path.parent_path());
+    if (!files) {
+        return tl::unexpected(files.error());
+    }
     StageProgress drawing(progress, 0, 0.6);
     const auto pages = drawPages(project, *plan, options, drawing);
     if (!pages) {
         return tl::unexpected(pages.error());
     }
-    auto files = StagedFiles::beside(path.parent_path());
-    if (!files) {
-        return tl::unexpected(files.error());
-    }
-    StageProgress writing(progress, 0.6, 1);
+    StageProgress writing(progress, 0.6, 0.95);
     const Status written =
         writeHandOff(worker, *files, path, project, *plan, *pages, options.image.threads, writing);
     if (!written) {
         return tl::unexpected(files->told(written.error()));
     }
-    const HandOffReport report = measureHandOff(
-        plan->layout, *pages, project.surface->adjacency(), 3, options.image.threads);
+    StageProgress measuring(progress, 0.95, 1);
+    const auto report = measureHandOff(
+        plan->layout, *pages, project.surface->adjacency(), 3, options.image.threads, measuring);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    if (!progress.report(1)) {
+        return cancelled();
+    }
     if (Status moved = files->commit(); !moved) {
         return tl::unexpected(moved.error());
     }
-    return HandOffOutcome{report.largestJump};
+    return HandOffOutcome{report->largestJump};
 }
 
 } // namespace trixel

@@ -140,6 +140,9 @@ Status exportPackedAtlas(const ImageWorker& worker,
         !written) {
         return tl::unexpected(files->told(written.error()));
     }
+    if (!progress.report(1)) {
+        return cancelled();
+    }
     return files->commit();
 }
 

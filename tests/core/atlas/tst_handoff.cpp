@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/atlas/handoff_pages.h"
 #include "core/atlas/handoff_sample_points.h"
+#include "core/lattice/edge_transfer.h"
 #include "core/study/solid_texture.h"
 #include "core/study/views/view_queries.h"
 #include "tests/core/atlas/atlas_pages.h"
@@ -12,6 +13,7 @@
 
 #include <bit>
 #include <new>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -56,8 +58,9 @@ struct HandOff
     }
     double jump() const
     {
-        return measureHandOff(layout, pages, scene.surface().adjacency(), 5, Threads{2})
-            .largestJump;
+        NoProgress progress;
+        return measureHandOff(layout, pages, scene.surface().adjacency(), 5, Threads{2}, progress)
+            ->largestJump;
     }
     /// Of the first channels against `exact` at so many places, in decibels for values of [0,1].
     double psnr(int count, std::size_t channels) const
@@ -378,6 +381,45 @@ TEST(HandOff, memoryThatRunsOutInAThreadIsAnError)
         handOffPages(layout, scene, Greedy(), kOneFloat, {ColorSpace::Raw}, Threads{2}, progress);
     ASSERT_FALSE(pages);
     EXPECT_EQ(pages.error().message, "what is made of the faces does not fit into memory");
+}
+
+/// Pages of noise have their largest jump where a plain walk along all edges finds it.
+TEST(HandOff, theLargestJumpIsFoundWhereverItIsAndCanBeCancelled)
+{
+    const TriangleMesh mesh = flatPatch(4);
+    HandOff handOff(
+        mesh, filledStore(mesh, mixedLevels(mesh.faceCount(), 0, 5, 5), noiseContent(6)), {});
+    std::mt19937 random(3);
+    for (std::byte& byte : handOff.pages.front().writable()) {
+        byte = std::byte(random() & 0x3FU); // small floats, none of them NaN
+    }
+    const Adjacency& adjacency = handOff.scene.surface().adjacency();
+    double largest = 0;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        for (const LocalEdge edge : kLocalEdges) {
+            const auto next = adjacency.neighbour(faceId(f), edge);
+            const int points = next ? 5 * std::max(handOff.layout.tile(faceId(f)).intervals(),
+                                                   handOff.layout.tile(next->face).intervals())
+                                    : -1;
+            for (int k = 0; k <= points; ++k) {
+                const double t = double(k) / points;
+                largest =
+                    std::max(largest,
+                             std::abs(double(handOff.value(faceId(f), fromEdge(edge, {t, 0}))[0]) -
+                                      double(handOff.value(next->face,
+                                                           fromEdge(next->edge, {1 - t, 0}))[0])));
+            }
+        }
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_DOUBLE_EQ(handOff.jump(), largest);
+    for (int reports = 0; reports < 2; ++reports) {
+        CancelAfter progress(reports);
+        const auto report =
+            measureHandOff(handOff.layout, handOff.pages, adjacency, 5, Threads{2}, progress);
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().kind, ErrorKind::Cancelled);
+    }
 }
 
 TEST(HandOffSamples, areNumberedRowAfterRow)

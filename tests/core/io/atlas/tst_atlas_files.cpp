@@ -209,7 +209,7 @@ TEST_F(AtlasFiles, cancellingLeavesWhatWasThere)
     private:
         double m_at;
     };
-    for (const double part : {0.0, 0.2, 0.4, 0.7}) {
+    for (const double part : {0.0, 0.2, 0.4, 0.7, 0.96, 1.0}) {
         CancelAt progress(part);
         const Status packed = exportPackedAtlas(worker, at("a.png"), project, {}, progress);
         ASSERT_FALSE(packed) << part;
@@ -221,6 +221,31 @@ TEST_F(AtlasFiles, cancellingLeavesWhatWasThere)
     }
     EXPECT_EQ(bytesOf(at("a.png")), "before");
     EXPECT_EQ(bytesOf(at("a.glb")), "before too");
+}
+
+TEST_F(AtlasFiles, aFolderThatCannotBeWrittenToIsNoticedBeforeAnythingIsDrawn)
+{
+    class Furthest final : public Progress
+    {
+    public:
+        bool report(double fraction) override
+        {
+            reached = std::max(reached, fraction);
+            return true;
+        }
+        double reached = 0;
+    };
+    const Project project = anyProject({TexelType::UInt8, 3, std::nullopt}, 2);
+    for (const std::string name : {"no/a.glb", "no/a.png"}) {
+        Furthest progress;
+        const Status written =
+            name == "no/a.png"
+                ? exportPackedAtlas(worker, at(name), project, {}, progress)
+                : exportHandOff(worker, at(name), project, {}, progress).map([](const auto&) {});
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().kind, ErrorKind::Path);
+        EXPECT_EQ(progress.reached, 0) << name;
+    }
 }
 
 TEST_F(AtlasFiles, aFailureNamesTheFileAsItWasMeant)
