@@ -5,11 +5,15 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <memory>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 namespace trixel {
 
@@ -207,6 +211,64 @@ Status fill(FileDescriptor& file,
     return {};
 }
 
+Status copyInto(FileWriter& file, const fs::path& from)
+{
+    const FileDescriptor source(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!source.isOpen()) {
+        return failed(from, "cannot be read", errno);
+    }
+    std::vector<std::byte> bytes(std::size_t{1} << 20U);
+    while (true) {
+        const ssize_t count = ::read(source.get(), bytes.data(), bytes.size());
+        if (count == 0) {
+            return {};
+        }
+        if (count < 0 && errno != EINTR) {
+            return failed(from, "cannot be read", errno);
+        }
+        const auto some =
+            std::span(bytes).first(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (Status written = file.write(some); !written) {
+            return written;
+        }
+    }
+}
+
+/// One of several files, made ready to take its name by a rename alone.
+struct ReadyFile
+{
+    fs::path target; ///< no link
+    std::optional<mode_t> mode;
+    fs::path from;
+    std::unique_ptr<TemporaryFile> copy; ///< where `from` is one
+};
+
+/// A link may lead to another folder, even one of another file system: a copy goes there first.
+Status makeReady(ReadyFile& file, const fs::path& named)
+{
+    if (folderOf(file.target) == folderOf(named)) {
+        if (file.mode) {
+            (void)::chmod(file.from.c_str(), *file.mode);
+        }
+        return {};
+    }
+    fs::path path;
+    FileDescriptor descriptor(createTemporary(file.target, path));
+    if (!descriptor.isOpen()) {
+        return failed(file.target, "cannot be written into its folder", errno);
+    }
+    file.copy = std::make_unique<TemporaryFile>(path);
+    return fill(descriptor, file.target, file.mode, [&](FileWriter& writer) {
+        return copyInto(writer, file.from);
+    });
+}
+
+bool takeName(ReadyFile& file)
+{
+    return file.copy ? file.copy->renameTo(file.target)
+                     : ::rename(file.from.c_str(), file.target.c_str()) == 0;
+}
+
 } // namespace
 
 Status commitFile(const fs::path& path,
@@ -245,6 +307,38 @@ Status commitFile(const fs::path& path,
 Status checkReplaceable(const fs::path& path)
 {
     return replaceableMode(targetOf(path)).map([](const auto& /*mode*/) {});
+}
+
+Status commitWritten(std::span<const WrittenFile> files)
+{
+    std::vector<ReadyFile> ready;
+    for (const WrittenFile& file : files) {
+        const fs::path target = targetOf(file.target);
+        const auto mode = replaceableMode(target);
+        if (!mode) {
+            return tl::unexpected(mode.error());
+        }
+        ready.push_back({target, *mode, file.written, nullptr});
+    }
+    for (std::size_t k = 0; k < ready.size(); ++k) {
+        if (Status done = makeReady(ready[k], files[k].target); !done) {
+            return done;
+        }
+    }
+    for (ReadyFile& file : ready) {
+        if (!takeName(file)) {
+            return failed(file.target, "cannot be replaced", errno);
+        }
+    }
+    std::set<fs::path> synced;
+    for (const ReadyFile& file : ready) {
+        if (synced.insert(folderOf(file.target)).second) {
+            if (Status done = syncFolder(file.target); !done) {
+                return done;
+            }
+        }
+    }
+    return {};
 }
 
 } // namespace trixel

@@ -38,4 +38,17 @@ Status commitFile(const std::filesystem::path& path,
 /// pipe, or a file that is read-only. A name that is free is fine.
 Status checkReplaceable(const std::filesystem::path& path);
 
+/// A file that is written and synced, on its way to its name.
+struct WrittenFile
+{
+    std::filesystem::path written; ///< in the file system of the target's folder
+    std::filesystem::path target;
+};
+
+/// Gives files that belong together their names, in this order, as `commitFile` does: links are
+/// followed, modes kept, folders synced. All targets are looked at before the first is replaced
+/// (`checkReplaceable`): errors leave everything as it was, unless the system refuses a name in the
+/// midst of it; those before it are replaced then.
+Status commitWritten(std::span<const WrittenFile> files);
+
 } // namespace trixel

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -20,18 +19,6 @@ namespace {
 std::string lastCause()
 {
     return std::generic_category().message(errno);
-}
-
-/// What was renamed in it is on the disk then.
-Status syncFolder(const fs::path& folder)
-{
-    const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const bool synced = handle >= 0 && ::fsync(handle) == 0;
-    const std::string cause = synced ? "" : lastCause();
-    if (handle >= 0) {
-        ::close(handle);
-    }
-    return synced ? Status() : pathError(folder.string() + ": " + cause);
 }
 
 } // namespace
@@ -91,20 +78,12 @@ Error StagedFiles::told(Error error) const
 
 Status StagedFiles::commit()
 {
-    for (const std::string& name : m_names) { // all of them before the first is moved
-        if (Status replaceable = checkReplaceable(m_target / name); !replaceable) {
-            return replaceable;
-        }
-    }
+    std::vector<WrittenFile> files;
     for (const std::string& name : m_names) {
-        std::error_code error;
-        fs::rename(m_folder / name, m_target / name, error);
-        if (error) {
-            return pathError((m_target / name).string() + ": " + error.message());
-        }
+        files.push_back({m_folder / name, m_target / name});
     }
-    if (Status synced = syncFolder(m_target); !synced) {
-        return synced;
+    if (Status committed = commitWritten(files); !committed) {
+        return committed;
     }
     std::error_code ignored;
     fs::remove_all(m_folder, ignored);

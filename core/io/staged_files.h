@@ -35,8 +35,8 @@ public:
     Error told(Error error) const;
 
     /// Moves every file to its place, in the order they were added: those that refer to others come
-    /// last. Errors name the file: one that must not be replaced (`checkReplaceable`) before any is
-    /// moved; of others those before it are moved by then.
+    /// last. Links are followed and modes kept. Errors name the file: one that must not be replaced
+    /// (`checkReplaceable`) before any is moved; of others those before it are moved by then.
     Status commit();
 
 private:
