@@ -50,7 +50,7 @@ void ExchangeActions::makeDifferences(const PanelFrames& frames)
 {
     m_differences = new DifferencePanel(m_work.document, m_work.jobs);
     m_differenceDock =
-        frames.beside("differencePanel", tr("Difference"), m_differences, {Qt::SHIFT | Qt::Key_F9});
+        frames.beside("differencePanel", tr("Difference"), m_differences, {Qt::SHIFT | Qt::Key_F6});
     // A tab more beside the view; the first of them stays in front.
     auto* first = m_work.window.findChild<QDockWidget*>("readoutPanel");
     auto* last = m_work.window.findChild<QDockWidget*>("fitPanel");
