@@ -229,7 +229,10 @@ void SurfacePass::setNormals(std::span<const std::uint32_t> normals)
 
 void SurfacePass::setFaceColors(std::span<const std::uint32_t> colors)
 {
-    check(colors.empty() || colors.size() == m_faceCount, "a colour a face");
+    m_colorsPerFace = colors.size() == 3 * m_faceCount ? 3 : 1;
+    check(colors.empty() ||
+              colors.size() == static_cast<std::size_t>(m_colorsPerFace) * m_faceCount,
+          "a colour a face, or one a corner");
     m_faceColors.fill(std::as_bytes(colors));
 }
 
@@ -321,6 +324,7 @@ void SurfacePass::draw(const Camera& camera,
         own->bind(12, 13);
     }
     m_faceColors.bind(5);
+    program.setUniformValue("colorsPerFace", m_colorsPerFace);
     m_scale.bind(6);
     setLook(program, look);
     if (isPainted) {

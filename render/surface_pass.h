@@ -56,7 +56,8 @@ public:
     /// Three a face, see `cornerNormals`; until they come faces look flat.
     void setNormals(std::span<const std::uint32_t> normals);
 
-    /// What `SurfaceStyle::faceColors` shows: R G B A a face (checked), or nothing.
+    /// What `SurfaceStyle::faceColors` shows: R G B A a face, or three a face, one at each corner
+    /// and blended between them (checked); or nothing.
     void setFaceColors(std::span<const std::uint32_t> colors);
 
     /// What ways of filtering over vertices read of the mesh (checked to be of it), or nothing.
@@ -98,6 +99,7 @@ private:
     TextureBuffer m_triangles;
     TextureBuffer m_normals;
     TextureBuffer m_faceColors;
+    int m_colorsPerFace = 1; ///< or 3
     TextureBuffer m_scale;  ///< the colours of `mapColor`
     TextureBuffer m_scales; ///< of `VertexScale`
     TextureBuffer m_across; ///< sent when it is first needed

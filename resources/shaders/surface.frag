@@ -9,7 +9,8 @@
 // FILTERING is the number of `Filtering` in render/filtering.h. From 2 on a piece that follows has
 // `filteredTexel`.
 uniform samplerBuffer texels;
-uniform samplerBuffer faceColors;  // one a face
+uniform samplerBuffer faceColors;  // one a face, or three, one at each corner
+uniform int colorsPerFace;
 uniform samplerBuffer scaleColors; // of false colour
 uniform vec3 markColors[5];        // by the kind of mark
 uniform float black;               // a value is shown at (value - black) * scale
@@ -278,7 +279,11 @@ void main()
     Shown texel = Shown(vec4(0.0, 0.0, 0.0, 1.0), 0.0);
     vec3 own = kPendingColor;
     if (LOOK == 4) {
-        own = texelFetch(faceColors, faceNumber).rgb;
+        own = texelFetch(faceColors, faceNumber * colorsPerFace).rgb;
+        if (colorsPerFace == 3) {
+            own = bary.z * own + bary.x * texelFetch(faceColors, 3 * faceNumber + 1).rgb +
+                  bary.y * texelFetch(faceColors, 3 * faceNumber + 2).rgb;
+        }
     } else if ((record.y & kPending) == 0u) {
         texel = shownTexel(resolution);
         own = LOOK == 3   ? scaleColor(texel.parts.x)

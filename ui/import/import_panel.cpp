@@ -37,6 +37,7 @@ ImportPanel::ImportPanel(Document& document,
                          const FaceSelection& selection,
                          BackgroundJobs& jobs,
                          Viewport& viewport,
+                         ViewSettings& settings,
                          QWidget* parent)
     : QWidget(parent)
     , m_document(document)
@@ -50,7 +51,7 @@ ImportPanel::ImportPanel(Document& document,
     , m_plane(new PlanePage)
     , m_placement(new QuadPlacement(viewport, this))
     , m_place(new PlacePage(*m_placement))
-    , m_look(new ImportLook(viewport))
+    , m_look(new ImportLook(viewport, settings))
     , m_state(new QLabel)
     , m_progress(new QProgressBar)
     , m_apply(new QPushButton)
@@ -277,10 +278,13 @@ void ImportPanel::refresh()
         return;
     }
     if (isVisible() && !m_job && missing().isEmpty()) {
-        m_preview.ask(input(), m_document.state().texels);
+        const ImportInput wanted = input();
+        m_preview.ask(wanted, m_document.state().texels);
+        m_look->setInput(wanted);
     } else {
         m_preview.stop();
         m_picture.reset();
+        m_look->setInput(std::nullopt);
         m_look->setPicture(nullptr);
     }
     showState();

@@ -32,6 +32,7 @@ class PlanePage;
 class QuadPlacement;
 class SpherePage;
 class Viewport;
+class ViewSettings;
 
 /// Brings a 2D image onto the faces: which image, how it lies on the surface, how it is looked up.
 /// The view shows what would come of it while the panel is seen; nothing is changed until it is
@@ -45,6 +46,7 @@ public:
                 const FaceSelection& selection,
                 BackgroundJobs& jobs,
                 Viewport& viewport,
+                ViewSettings& settings,
                 QWidget* parent = nullptr);
     ~ImportPanel() override;
 
@@ -53,6 +55,7 @@ public:
     ImportSettings settings() const;
     /// The latest preview; null while there is none of what is chosen.
     const std::shared_ptr<const PreviewPicture>& picture() const { return m_picture; }
+    const ImportLook& look() const { return *m_look; }
     bool isApplying() const { return m_job != nullptr; }
 
 signals:

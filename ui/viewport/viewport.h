@@ -127,7 +127,8 @@ public:
     SplitBar& splitBar();
 
     /// Shows each face in one colour, unlit and without texels, or its texels again.
-    /// \param colors  R G B A a face of the document's surface (checked); empty: none
+    /// \param colors  R G B A a face of the document's surface, or three a face, one at each corner
+    ///                and blended between them (checked); empty: none
     void setFaceColors(std::vector<std::uint32_t> colors);
     bool hasFaceColors() const;
 

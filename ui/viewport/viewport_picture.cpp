@@ -72,7 +72,9 @@ bool Viewport::hasPicture() const
 
 void Viewport::setFaceColors(std::vector<std::uint32_t> colors)
 {
-    check(colors.empty() || colors.size() == d->document.texels().faceCount(), "a colour a face");
+    const std::size_t faces = d->document.texels().faceCount();
+    check(colors.empty() || colors.size() == faces || colors.size() == 3 * faces,
+          "a colour a face, or one a corner");
     if (colors != d->faceColors) {
         d->faceColors = std::move(colors);
         d->faceColorsDirty = true;

@@ -24,7 +24,8 @@ constexpr int kHeight = 620;
 ImportActions::ImportActions(const Workspace& work, const PanelFrames& frames, QObject* parent)
     : QObject(parent)
     , m_work(work)
-    , m_panel(new ImportPanel(work.document, work.selection, work.jobs, work.viewport))
+    , m_panel(
+          new ImportPanel(work.document, work.selection, work.jobs, work.viewport, work.settings))
 {
     m_dock = frames.beside("importPanel", tr("Import"), m_panel, {Qt::SHIFT | Qt::Key_F9});
     // One place for all panels but the brush, a tab each.
