@@ -23,13 +23,14 @@ public:
                    const FilterScene& scene,
                    const FilterMethod& method,
                    const TexelFormat& format,
-                   const std::vector<ColorSpace>& colors)
+                   const HandOffColors& colors)
         : m_layout(layout)
         , m_scene(scene)
         , m_method(method)
         , m_format(format)
+        , m_colors(colors)
         , m_owners(layout, scene.surface())
-        , m_pages(emptyPages(layout.pages(), format, colors))
+        , m_pages(emptyPages(layout.pages(), format, colors.pages))
     {
         for (Image& page : m_pages) {
             m_pixels.push_back(page.writable());
@@ -59,7 +60,7 @@ public:
         std::vector<float> pixel(m_format.channels);
         for (std::size_t k = 0; k < samples.size(); ++k) {
             for (std::size_t c = 0; c < pixel.size(); ++c) {
-                pixel[c] = answers.values[c * samples.size() + k];
+                pixel[c] = m_colors.stored(c, answers.values[c * samples.size() + k]);
             }
             encode(m_format.type, pixel, at(face, samples[k]));
         }
@@ -260,6 +261,7 @@ private:
     const FilterScene& m_scene;
     const FilterMethod& m_method;
     TexelFormat m_format;
+    const HandOffColors& m_colors;
     HandOffOwners m_owners;
     std::vector<Image> m_pages;
     std::vector<std::span<std::byte>> m_pixels; ///< of each page
@@ -365,12 +367,14 @@ Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
                                         const FilterScene& scene,
                                         const FilterMethod& method,
                                         const TexelFormat& format,
-                                        const std::vector<ColorSpace>& colors,
+                                        const HandOffColors& colors,
                                         Threads threads,
                                         Progress& progress)
 {
     check(layout.faceCount() == scene.faceCount(), "a layout of these faces");
     check(format.channels == scene.channels(), "pixels of as many channels");
+    check(colors.scene.empty() || colors.scene.size() == format.channels,
+          "a colour space for each channel");
     HandOffPainter painter(layout, scene, method, format, colors);
     const std::size_t faces = layout.faceCount();
     StageProgress sampling(progress, 0, 0.9);

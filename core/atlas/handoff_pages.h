@@ -26,18 +26,33 @@ FaceMap<std::uint32_t> handOffIntervals(const TexelStore& store,
                                         const FilterSurface& surface,
                                         const HandOffOptions& options);
 
+/// What the channels of hand-off pages mean, and those of the scene they are made of.
+struct HandOffColors
+{
+    std::vector<ColorSpace> pages; ///< one a channel
+    std::vector<ColorSpace> scene; ///< likewise; empty for the same
+
+    /// A value of the scene as pages store it.
+    float stored(std::size_t channel, float value) const
+    {
+        const ColorSpace to = pages[channel];
+        const ColorSpace from = scene.empty() ? to : scene[channel];
+        return to == from ? value : fromLinear(to, toLinear(from, value));
+    }
+};
+
 /// Samples every face, and turns each so that its diagonal goes on straight within what the type
 /// can hold, if it can.
 /// \param scene   of the faces of the layout (checked)
 /// \param method  what a sample is: its value where the footprint is a point
 /// \param format  of the pixels; as many channels as the scene has (checked)
-/// \param colors  what they mean
+/// \param colors  what they mean; one for each channel (checked)
 /// Fails when cancelled and when memory runs out. Pixels that no face takes are 0.
 Result<std::vector<Image>> handOffPages(HandOffLayout& layout,
                                         const FilterScene& scene,
                                         const FilterMethod& method,
                                         const TexelFormat& format,
-                                        const std::vector<ColorSpace>& colors,
+                                        const HandOffColors& colors,
                                         Threads threads,
                                         Progress& progress);
 

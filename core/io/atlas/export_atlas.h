@@ -25,7 +25,8 @@ struct AtlasImageOptions
 {
     /// Of the pages; empty for the one that holds the texels' and that the file can hold.
     std::optional<TexelType> type;
-    /// What each channel means; empty for sRGB where the texels are integers, linear where not.
+    /// What each channel means; empty for what the project says (`channelColors`), and if it does
+    /// not, sRGB where the texels are integers, linear where not.
     std::vector<ColorSpace> colors;
     Threads threads = Threads::all();
 };
@@ -101,7 +102,8 @@ struct HandOffOutcome
 };
 
 /// Writes a mesh with uvs and the textures it wears: NAME.glb with all in it, NAME.obj with
-/// NAME.mtl and textures, or NAME.ply (one page only) with its texture.
+/// NAME.mtl and textures, or NAME.ply (one page only) with its texture. In a .glb colours are sRGB,
+/// whatever they are in the project: glTF takes base colours for nothing else. Raw channels pass.
 Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
                                      const std::filesystem::path& path,
                                      const Project& project,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/atlas/export_files.h"
 
+#include "core/io/channel_colors.h"
 #include "core/io/commit_file.h"
 
 #include <algorithm>
@@ -38,14 +39,15 @@ TexelType pageType(const std::string& ending, TexelType texels)
 }
 
 Result<PageKind>
-pageKind(const std::string& ending, const TexelFormat& texels, const AtlasImageOptions& options)
+pageKind(const std::string& ending, const Project& project, const AtlasImageOptions& options)
 {
+    const TexelFormat& texels = project.texels.format();
     PageKind kind{texels, options.colors};
     kind.format.type = options.type.value_or(pageType(ending, texels.type));
     if (kind.colors.empty()) {
         const bool integers = texels.type == TexelType::UInt8 || texels.type == TexelType::UInt16;
-        kind.colors = uniformColors(
-            integers ? ColorSpace::SRgb : ColorSpace::Linear, texels.channels, texels.alpha);
+        kind.colors = channelColors(project).value_or(uniformColors(
+            integers ? ColorSpace::SRgb : ColorSpace::Linear, texels.channels, texels.alpha));
     }
     if (kind.colors.size() != texels.channels) {
         return contentsError("expected a colour space for each of " +

@@ -22,9 +22,11 @@ struct PageKind
     TexelFormat format;
     std::vector<ColorSpace> colors;
 };
-/// Fails if there are colours for another number of channels.
+/// Colours are those of the options; else what the project says of its channels; else sRGB where
+/// the texels are integers, linear where not. Fails if there are some for another number of
+/// channels.
 Result<PageKind>
-pageKind(const std::string& ending, const TexelFormat& texels, const AtlasImageOptions& options);
+pageKind(const std::string& ending, const Project& project, const AtlasImageOptions& options);
 
 /// STEM.ending, or STEM.0.ending, STEM.1.ending … of several.
 std::vector<std::string>

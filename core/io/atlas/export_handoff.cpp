@@ -27,6 +27,7 @@ struct HandOffPlan
     std::shared_ptr<const FilterSurface> surface;
     HandOffLayout layout;
     PageKind kind;
+    std::vector<ColorSpace> texelColors; ///< what the pages are made of
     std::vector<std::string> pageFiles;
 };
 
@@ -44,11 +45,15 @@ Result<HandOffPlan> planHandOff(const std::filesystem::path& path,
     const std::string ending = *mesh == MeshFile::Glb ? "png" : options.imageEnding;
     HandOffPlan plan;
     plan.mesh = *mesh;
-    auto kind = pageKind(ending, project.texels.format(), options.image);
+    auto kind = pageKind(ending, project, options.image);
     if (!kind) {
         return prefixed(path.string(), kind.error());
     }
     plan.kind = std::move(*kind);
+    plan.texelColors = plan.kind.colors;
+    if (*mesh == MeshFile::Glb) {
+        std::ranges::replace(plan.kind.colors, ColorSpace::Linear, ColorSpace::SRgb);
+    }
     plan.surface = std::make_shared<const FilterSurface>(
         FilterSurface::fromMesh(project.surface->mesh(), project.surface->adjacency()));
     auto layout = HandOffLayout::plan(
@@ -108,7 +113,7 @@ Result<std::vector<Image>> drawPages(const Project& project,
                         *scene,
                         *makeMethod(options.method),
                         plan.kind.format,
-                        plan.kind.colors,
+                        {plan.kind.colors, plan.texelColors},
                         options.image.threads,
                         drawing);
 }

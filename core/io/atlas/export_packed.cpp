@@ -39,7 +39,7 @@ Result<PackedPlan> planPacked(const std::filesystem::path& path,
     if (project.texels.faceCount() == 0) {
         return contentsError(path.string() + ": there is no face to export");
     }
-    auto kind = pageKind(ending, project.texels.format(), options.image);
+    auto kind = pageKind(ending, project, options.image);
     if (!kind) {
         return prefixed(path.string(), kind.error());
     }

@@ -44,7 +44,7 @@ struct HandOff
                               scene,
                               *makeMethod({"exact", std::nullopt}),
                               format,
-                              uniformColors(ColorSpace::Raw, format.channels, {}),
+                              {uniformColors(ColorSpace::Raw, format.channels, {}), {}},
                               Threads{2},
                               progress);
     }
@@ -321,7 +321,7 @@ TEST(HandOff, givesUpWhenCancelled)
                                         scene,
                                         *makeMethod({"exact", std::nullopt}),
                                         kOneFloat,
-                                        {ColorSpace::Raw},
+                                        {{ColorSpace::Raw}, {}},
                                         Threads{1},
                                         progress);
         ASSERT_FALSE(pages);
@@ -353,7 +353,7 @@ TEST(HandOff, twoLargeFacesAreToldOfWhileTheyAreSampled)
                              scene,
                              *makeMethod({"lattice-linear", std::nullopt}),
                              kOneFloat,
-                             {ColorSpace::Raw},
+                             {{ColorSpace::Raw}, {}},
                              Threads{2},
                              progress));
     // 33,153 samples each: a report for every 4096 of both, but for the six steps' own.
@@ -377,8 +377,8 @@ TEST(HandOff, memoryThatRunsOutInAThreadIsAnError)
         surfaceOf(mesh), filledStore(mesh, FaceMap<Level>(mesh.faceCount()), noiseContent(1)));
     auto layout = *HandOffLayout::plan(FaceMap<std::uint32_t>(mesh.faceCount(), 64), {});
     NoProgress progress;
-    const auto pages =
-        handOffPages(layout, scene, Greedy(), kOneFloat, {ColorSpace::Raw}, Threads{2}, progress);
+    const auto pages = handOffPages(
+        layout, scene, Greedy(), kOneFloat, {{ColorSpace::Raw}, {}}, Threads{2}, progress);
     ASSERT_FALSE(pages);
     EXPECT_EQ(pages.error().message, "what is made of the faces does not fit into memory");
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/atlas/atlas_address.h"
+#include "core/atlas/page_pixels.h"
 #include "core/io/atlas/atlas_description.h"
 #include "core/io/atlas/export_atlas.h"
+#include "core/io/channel_colors.h"
 #include "core/io/new_project.h"
 #include "tests/core/io/image/image_fixture.h"
 #include "tests/core/test_meshes.h"
@@ -282,6 +284,70 @@ TEST_F(AtlasFiles, aMeshWithUvsAndItsTexturesComeTogether)
     // The embedded one is the same.
     const std::string glb = bytesOf(at("a.glb"));
     EXPECT_THAT(glb, HasSubstr(bytesOf(at("b.png"))));
+}
+
+TEST_F(AtlasFiles, pagesMeanWhatTheProjectSaysItsChannelsMean)
+{
+    using enum ColorSpace;
+    Project project = anyProject({TexelType::UInt8, 3, std::nullopt}, 2);
+    declareChannelColors(project, {Linear, Raw, SRgb});
+    ASSERT_TRUE(exportPacked("a.png", project));
+    EXPECT_EQ(nlohmann::json::parse(bytesOf(at("a.json")))["colors"],
+              nlohmann::json({"linear", "raw", "srgb"}));
+    declareChannelColors(project, {Linear, Linear, Linear});
+    ASSERT_TRUE(exportPacked("b.png", project));
+    EXPECT_EQ(read(at("b.png"))->colors(), uniformColors(Linear, 3, {}));
+    NoProgress progress;
+    ASSERT_TRUE(exportHandOff(worker, at("c.obj"), project, {}, progress));
+    EXPECT_EQ(read(at("c.png"))->colors(), uniformColors(Linear, 3, {}));
+    HandOffExportOptions options;
+    options.image.colors = {Raw, Raw, Raw}; // said here
+    ASSERT_TRUE(exportHandOff(worker, at("d.obj"), project, options, progress));
+    EXPECT_EQ(read(at("d.png"))->colors(), uniformColors(Raw, 3, {}));
+}
+
+/// glTF takes base colours for sRGB, whatever the picture says of itself.
+TEST_F(AtlasFiles, aGlbHoldsColoursAsSRgb)
+{
+    using enum ColorSpace;
+    NoProgress progress;
+    // A pixel of the picture that is in a .glb of faces of one value.
+    const auto shown = [&](TexelType type, const std::vector<ColorSpace>& colors) {
+        const std::array<float, 3> fill = {0.25F, 0.5F, 0.75F};
+        Project project = *newProject(sphereMesh(0),
+                                      planUniform(20, Level(0)),
+                                      TexelFormat{type, 3, std::nullopt},
+                                      fill,
+                                      progress);
+        if (!colors.empty()) {
+            declareChannelColors(project, colors);
+        }
+        EXPECT_TRUE(exportHandOff(worker, at("a.glb"), project, {}, progress));
+        const std::string glb = bytesOf(at("a.glb"));
+        put("in.png", glb.substr(glb.find("\x89PNG")));
+        const auto picture = read(at("in.png"));
+        EXPECT_TRUE(picture) << picture.error().message;
+        std::array<float, 3> value{};
+        decode(picture->format().type, pixelOf(*picture, {3, 3}), value);
+        return std::pair(value, picture->colors());
+    };
+    const auto expect = [&](TexelType type,
+                            const std::vector<ColorSpace>& colors,
+                            const std::vector<ColorSpace>& meant,
+                            const std::array<bool, 3>& isEncoded) {
+        const auto [value, found] = shown(type, colors);
+        EXPECT_EQ(found, meant);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float number = 0.25F * static_cast<float>(c + 1);
+            EXPECT_NEAR(value[c], isEncoded[c] ? fromLinear(SRgb, number) : number, 3e-3)
+                << nameOf(type) << ' ' << c;
+        }
+    };
+    const auto sRgb = uniformColors(SRgb, 3, {});
+    expect(TexelType::Half, {}, sRgb, {true, true, true});
+    expect(TexelType::UInt8, uniformColors(Linear, 3, {}), sRgb, {true, true, true});
+    expect(TexelType::UInt8, {}, sRgb, {false, false, false});
+    expect(TexelType::UInt8, uniformColors(Raw, 3, {}), uniformColors(Raw, 3, {}), {});
 }
 
 TEST_F(AtlasText, hostileDescriptionsAreRefusedInOneSentence)
