@@ -24,10 +24,15 @@ std::optional<std::vector<ColorSpace>> channelColors(const Project& project)
     return fits ? std::move(colors) : std::nullopt;
 }
 
+void forgetChannelColors(Project& project)
+{
+    removeMetadata(project.metadata, kChannelColorsKey);
+}
+
 void declareChannelColors(Project& project, const std::vector<ColorSpace>& colors)
 {
     check(colors.size() == project.texels.format().channels, "a colour space for each channel");
-    removeMetadata(project.metadata, kChannelColorsKey);
+    forgetChannelColors(project);
     project.metadata.push_back({kChannelColorsKey, toText(colors)});
 }
 

@@ -13,6 +13,9 @@ namespace trixel {
 /// are taken as they are.
 std::optional<std::vector<ColorSpace>> channelColors(const Project& project);
 
+/// Of a project whose channels are no longer those that were declared.
+void forgetChannelColors(Project& project);
+
 /// \param colors  one for each channel (checked); they go into the project's metadata
 void declareChannelColors(Project& project, const std::vector<ColorSpace>& colors);
 

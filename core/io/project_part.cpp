@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/project_part.h"
 
+#include "core/io/channel_colors.h"
 #include "core/io/project_metadata.h"
 
 #include <algorithm>
@@ -166,6 +167,14 @@ partOf(const Project& project, const ProjectPart& part, Threads threads, Progres
             return tl::unexpected(texels.error());
         }
         result.texels = std::move(*texels);
+        forgetChannelColors(result);
+        if (const auto declared = channelColors(project)) {
+            std::vector<ColorSpace> picked;
+            for (const std::uint16_t channel : part.channels) {
+                picked.push_back((*declared)[channel]);
+            }
+            declareChannelColors(result, picked);
+        }
         std::erase_if(result.metadata,
                       [](const PtxMetadata& item) { return item.key == kFillKey; });
     }

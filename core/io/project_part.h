@@ -21,10 +21,10 @@ struct ProjectPart
 };
 
 /// A project of that part: the faces in their order on a mesh of theirs, vertices that none of them
-/// has left out. Metadata go with it, but for those of the channels' fill where channels are left
-/// out. The project itself (a cheap copy) where the part is the whole.
-/// Fails when cancelled, when a face cannot be read, and, naming it, on a face or channel that does
-/// not exist.
+/// has left out. Metadata go with it, what channels mean in their new order; but for those of the
+/// channels' fill where channels are left out. The project itself (a cheap copy) where the part is
+/// the whole. Fails when cancelled, when a face cannot be read, and, naming it, on a face or
+/// channel that does not exist.
 Result<Project>
 partOf(const Project& project, const ProjectPart& part, Threads threads, Progress& progress);
 

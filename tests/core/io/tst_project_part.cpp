@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/channel_colors.h"
 #include "core/io/new_project.h"
 #include "core/io/project_part.h"
 #include "tests/core/test_meshes.h"
@@ -90,6 +91,21 @@ TEST(ProjectPart, channelsArePickedInTheOrderAskedForAndOpacityStaysKnown)
         }
     }
     EXPECT_EQ(fillOf(*part).size(), 2U); // not that of four channels
+}
+
+TEST(ProjectPart, whatChannelsMeanGoesWithThem)
+{
+    using enum ColorSpace;
+    Project whole = numbered();
+    NoProgress progress;
+    EXPECT_FALSE(channelColors(*partOf(whole, {{}, {3, 1}}, Threads{1}, progress)));
+    declareChannelColors(whole, {Linear, SRgb, Linear, Raw});
+    const auto pick = [&](const ProjectPart& part) {
+        return channelColors(*partOf(whole, part, Threads{1}, progress)).value();
+    };
+    EXPECT_THAT(pick({{}, {3, 1}}), testing::ElementsAre(Raw, SRgb));
+    EXPECT_THAT(pick({{}, {1, 0, 3, 2}}), testing::ElementsAre(SRgb, Linear, Raw, Linear));
+    EXPECT_THAT(pick({{faceId(4)}, {}}), testing::ElementsAre(Linear, SRgb, Linear, Raw));
 }
 
 TEST(ProjectPart, whatDoesNotExistIsNamed)
