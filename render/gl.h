@@ -17,6 +17,8 @@ public:
     /// another: what owns objects lets them go with a context that was lost, instead of deleting
     /// somebody else's.
     bool isCurrent() const { return m_context && m_context == QOpenGLContext::currentContext(); }
+    /// Whether it is gone, with all that was drawn in it.
+    bool isGone() const { return m_context.isNull(); }
 
 private:
     friend std::unique_ptr<Gl> currentGl();

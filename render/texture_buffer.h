@@ -2,11 +2,19 @@
 #pragma once
 
 #include "render/gl.h"
+#include "render/mapped_memory.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace trixel::render {
+
+/// What a buffer lies in.
+enum class BufferMemory {
+    Drivers, ///< the graphics driver's
+    Mapped,  ///< our own, for drivers that `takesMappedMemory`
+};
 
 /// An array on the graphics card that shaders read with `texelFetch`. Everything
 /// needs the context it was made in to be current; where that was lost, so is what it held.
@@ -16,6 +24,7 @@ public:
     /// \param format        sized internal format of the elements, such as GL_RGBA8
     /// \param elementBytes  bytes of one
     TextureBuffer(Gl& gl, GLenum format, std::size_t elementBytes);
+    TextureBuffer(Gl& gl, GLenum format, std::size_t elementBytes, BufferMemory memory);
     ~TextureBuffer();
     TextureBuffer(const TextureBuffer&) = delete;
     TextureBuffer& operator=(const TextureBuffer&) = delete;
@@ -41,6 +50,8 @@ public:
 
 private:
     void attach();
+    bool mapRoom(std::size_t elements);
+    void takeRoom(std::size_t elements, const void* bytes);
 
     Gl& m_gl;
     GLenum m_format;
@@ -48,6 +59,7 @@ private:
     std::size_t m_elements = 0;
     GLuint m_buffer = 0;
     GLuint m_texture = 0;
+    std::unique_ptr<MappedMemory> m_memory; ///< none where it is the driver's
 };
 
 } // namespace trixel::render
