@@ -38,9 +38,20 @@ struct CardOpening
 
     CardForm form;
     std::vector<std::uint8_t> faces; ///< level to be shown at most, and flags
-    std::vector<std::byte> bases;    ///< an element a face
+    std::vector<std::byte> bases;    ///< one element a face, or three
 
     static int level(std::uint8_t face) { return face & 0x3f; }
+    bool isConstant(std::size_t face) const { return (faces[face] & kConstant) != 0; }
+    /// Finest level worth a block.
+    std::uint8_t ownLevel(std::size_t face) const
+    {
+        return isConstant(face) ? std::uint8_t{0} : static_cast<std::uint8_t>(level(faces[face]));
+    }
+    /// For `CardBlocks::mark`.
+    std::uint32_t recordBits(std::size_t face) const
+    {
+        return FaceRecord::bitsOf(level(faces[face]), isConstant(face));
+    }
 };
 
 /// \param exact  whether to read every texel for means; else, but where a file keeps them, a texel

@@ -60,6 +60,12 @@ struct FaceRecord
     std::uint32_t offset = 0; ///< first element of the face
     std::uint32_t bits = kPending;
 
+    /// Flags and own level, with no block's level.
+    static constexpr std::uint32_t bitsOf(int ownLevel, bool isConstant)
+    {
+        return (isConstant ? kConstant : 0U) | static_cast<std::uint32_t>(ownLevel) << kOwnShift;
+    }
+
     int level() const { return static_cast<int>(bits & kLevelMask); }
     bool isConstant() const { return (bits & kConstant) != 0; }
     bool isPending() const { return (bits & kPending) != 0; }

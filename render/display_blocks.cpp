@@ -10,8 +10,6 @@ namespace trixel::render {
 
 namespace {
 
-/// Elements of blocks that a buffer is made for at first; it grows where a view needs more.
-constexpr std::uint64_t kUsualElements = 1U << 24U;
 /// Room to spare, so that painting unpainted faces seldom needs a larger buffer.
 constexpr std::uint64_t kLeastSpare = 1U << 18U;
 /// Jobs are made in parts when they are made at once.
@@ -20,6 +18,8 @@ constexpr std::size_t kPartBytes = 1U << 22U;
 constexpr std::uint32_t kRecordGap = 64;
 /// Rectangles beyond which everything is taken to be touched.
 constexpr std::size_t kManyRects = 1U << 16U;
+/// Faces whose bases are sent at once.
+constexpr std::size_t kBasesAtOnce = 1U << 16U;
 /// Blocks moved in one frame.
 constexpr std::size_t kMovesAtOnce = 256;
 
@@ -38,6 +38,23 @@ void addRange(std::vector<DisplayUpdate::Range>& ranges,
         }
     }
     ranges.push_back({first, count});
+}
+
+DisplayUpdate joined(DisplayUpdate first, DisplayUpdate second)
+{
+    const auto append = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    second.fresh = first.fresh;
+    append(first.moves, second.moves);
+    append(first.texels, second.texels);
+    append(first.bytes, second.bytes);
+    append(first.records, second.records);
+    second.moves = std::move(first.moves);
+    second.texels = std::move(first.texels);
+    second.bytes = std::move(first.bytes);
+    second.records = std::move(first.records);
+    return second;
 }
 
 MadeBlocks makeOnAllCores(const DisplayBlocks::Maker& make,
@@ -70,6 +87,7 @@ void DisplayBlocks::begin(const TexelStore& store, int mipDrop, std::uint32_t ma
     m_isShown = m_isShown && isSame;
     m_form = CardForm::of(store, mipDrop);
     setMost(maxElements);
+    m_opening.reset();
     opensAnew();
     m_touched.clear();
 }
@@ -80,8 +98,13 @@ void DisplayBlocks::setMost(std::uint32_t maxElements)
         return;
     }
     m_maxElements = maxElements;
+    if (m_opening && m_opening->isFresh) { // into a buffer of another size
+        m_opening.reset();
+        opensAnew();
+    }
     if (m_isOpen && m_blocks.capacity() > std::max(maxElements, m_blocks.baseElements())) {
         m_isOpen = false; // a smaller buffer
+        m_opening.reset();
         opensAnew();
     }
     m_plans = m_isOpen;
@@ -97,91 +120,10 @@ void DisplayBlocks::showChannels(const CardChannels& channels)
     }
 }
 
-void DisplayBlocks::opensAnew()
-{
-    m_opens = true;
-    ++m_openingNumber;
-}
-
-void DisplayBlocks::open(const CardOpening& opening)
-{
-    m_opens = opening.form != m_form;
-    if (m_isOpen) {
-        openAgain(opening);
-    } else {
-        openFresh(opening);
-    }
-    m_isOpen = true;
-    m_plans = true;
-    m_again.clear();
-    m_writes.clear();
-    m_bytes.assign(opening.bases.begin(), opening.bases.end());
-    m_sendBases = true;
-    m_noMean.assign(m_faces.size(), false);
-    m_means.clear();
-    m_nextMean = 0;
-    for (std::size_t f = 0; f < m_faces.size(); ++f) {
-        if ((opening.faces[f] & CardOpening::kMean) == 0) {
-            meanLater(faceId(f));
-        }
-    }
-}
-
-void DisplayBlocks::openFresh(const CardOpening& opening)
-{
-    const std::size_t count = opening.faces.size();
-    const std::uint64_t bases = count * elementsOf(m_kind, Level());
-    std::uint64_t elements = 0;
-    m_faces.resize(count);
-    for (std::size_t f = 0; f < count; ++f) {
-        const bool isConstant = (opening.faces[f] & CardOpening::kConstant) != 0;
-        elements +=
-            isConstant ? 0 : elementsOf(m_kind, Level(CardOpening::level(opening.faces[f])));
-    }
-    const std::uint64_t spare = std::max(elements / 4, kLeastSpare);
-    const std::uint64_t room = bases + std::min(elements, kUsualElements) + spare;
-    m_blocks = CardBlocks(
-        m_kind, count, static_cast<std::uint32_t>(std::min<std::uint64_t>(room, m_maxElements)));
-    m_room = CardRoom::of(m_blocks, m_blocks.heapElements());
-    for (std::size_t f = 0; f < count; ++f) {
-        m_faces[f] = {};
-        show(faceId(f),
-             CardOpening::level(opening.faces[f]),
-             (opening.faces[f] & CardOpening::kConstant) != 0);
-    }
-    (void)m_blocks.takeChanged(); // all records are sent
-    m_fresh = true;
-    ++m_generation;
-    m_inFlight.assign(count, 0);
-    m_elementsInFlight = 0;
-    m_plan = {};
-    m_plan.wanted.assign(count, m_followsView ? 0 : Level::kMax);
-    m_nextMake = 0;
-    m_nextSpare = 0;
-}
-
-void DisplayBlocks::openAgain(const CardOpening& opening)
-{
-    for (std::size_t f = 0; f < m_faces.size(); ++f) {
-        const bool isConstant = (opening.faces[f] & CardOpening::kConstant) != 0;
-        if (isConstant) {
-            release(faceId(f), false);
-        } else if (m_faces[f].level() > 0) {
-            m_faces[f].shown |= FaceOnCard::kStale;
-        }
-        show(faceId(f), CardOpening::level(opening.faces[f]), isConstant);
-        if (m_inFlight[f] != 0) {
-            m_inFlight[f] |= kTouchedInFlight; // of what was before
-        }
-    }
-}
-
 void DisplayBlocks::show(FaceId face, int own, bool isConstant)
 {
     m_faces[indexOf(face)].own = static_cast<std::uint8_t>(isConstant ? 0 : own);
-    m_blocks.mark(face,
-                  (isConstant ? FaceRecord::kConstant : 0U) | static_cast<std::uint32_t>(own)
-                                                                  << FaceRecord::kOwnShift);
+    m_blocks.mark(face, FaceRecord::bitsOf(own, isConstant));
 }
 
 CardRoom DisplayBlocks::mostRoom() const
@@ -230,7 +172,7 @@ void DisplayBlocks::makeRoomFor(std::uint64_t blockElements)
 
 bool DisplayBlocks::hasReady() const
 {
-    return m_fresh || m_sendBases || !m_touched.empty() || !m_writes.empty();
+    return m_opening || !m_touched.empty() || !m_writes.empty();
 }
 
 bool DisplayBlocks::hasWork() const
@@ -240,8 +182,12 @@ bool DisplayBlocks::hasWork() const
 
 DisplayUpdate DisplayBlocks::take(const TexelStore& store, std::size_t byteBudget)
 {
-    if (m_opens) {
-        open(openNow(store));
+    if (m_opens && !m_opening) {
+        open(preparer()(openNow(store)));
+    }
+    std::optional<DisplayUpdate> bases;
+    if (m_opening) {
+        bases = nextBases(m_faces.size());
     }
     if (!m_isOpen) {
         return {};
@@ -259,11 +205,14 @@ DisplayUpdate DisplayBlocks::take(const TexelStore& store, std::size_t byteBudge
         }
         accept(makeOnAllCores(make, store, batch.jobs), batch, store);
     }
-    return gathered();
+    return bases ? joined(std::move(*bases), gathered()) : gathered();
 }
 
 DisplayUpdate DisplayBlocks::takeReady(const TexelStore& store, std::size_t mostRead)
 {
+    if (m_opening) {
+        return nextBases(kBasesAtOnce);
+    }
     if (m_isOpen && !m_opens) {
         sendTouched(store, mostRead);
     }
@@ -305,16 +254,11 @@ DisplayUpdate DisplayBlocks::gathered()
     DisplayUpdate update;
     m_blocks.compact(kMovesAtOnce);
     m_noRoom = 0;
-    update.fresh = std::exchange(m_fresh, false);
-    m_isShown = m_isShown || update.fresh;
     update.capacity = m_blocks.capacity();
     update.moves = m_blocks.takeMoves();
-    if (std::exchange(m_sendBases, false)) {
-        addRange(update.texels, 0, m_blocks.baseElements());
-    }
     const std::size_t elementBytes = m_form.elementBytes();
-    std::size_t from = update.texels.empty() ? 0 : m_blocks.baseElements() * elementBytes;
-    std::size_t to = from; // behind, where something has no place any more
+    std::size_t from = 0;
+    std::size_t to = 0; // behind, where something has no place any more
     for (const Write& write : m_writes) {
         if (const auto place = placeOf(write)) {
             addRange(update.texels, place->first, place->count);

@@ -8,6 +8,7 @@
 #include "render/block_making.h"
 #include "render/card_blocks.h"
 #include "render/display_conversion.h"
+#include "render/prepared_opening.h"
 #include "render/residency.h"
 
 #include <cstddef>
@@ -32,7 +33,8 @@ struct DisplayUpdate
         bool operator==(const Range&) const = default;
     };
 
-    bool fresh = false;                  ///< nothing that was on the card is needed any more
+    bool fresh = false;  ///< into a buffer of its own, with all records
+    bool isPart = false; ///< more comes before that buffer is to be shown in the place of the last
     std::uint32_t capacity = 0;          ///< elements the buffer must have room for
     std::vector<CardBlocks::Move> moves; ///< on the card
     std::vector<Range> texels; ///< where elements go; their bytes follow each other in `bytes`
@@ -55,13 +57,13 @@ struct JobBatch
 /// them (`residency.h`): one that wants everything, or one of a view (`follow`). What is shown
 /// stays until better has come. Work is done either here and now (`take`), or elsewhere: what
 /// `opener` gives while `needsOpening`, then `nextJobs` → what `maker` gives, on a snapshot of the
-/// store → `accept`, and `takeReady` for what came of it.
+/// store → `accept`, and `takeReady` for what came of it, bases part by part (`isOpening`).
 class DisplayBlocks
 {
 public:
     /// Make what is to be sent, on any thread and several at once; they need nothing of this
     /// object.
-    using Opener = std::function<CardOpening(const TexelStore&)>;
+    using Opener = std::function<PreparedOpening(const TexelStore&)>;
     using Maker = std::function<MadeBlocks(const TexelStore&, std::span<const BlockJob>)>;
 
     virtual ~DisplayBlocks() = default;
@@ -93,7 +95,12 @@ public:
     /// Which need of an opening it is: what was read before the latest is not what there is now.
     std::uint32_t openingNumber() const { return m_openingNumber; }
     virtual Opener opener() const = 0;
-    void open(const CardOpening& opening);
+    /// Whether `open` can go on with this one: bounds may have changed since it was begun.
+    bool canOpen(const PreparedOpening& opening) const;
+    /// Begins to send bases. \param opening  one that is possible (checked)
+    void open(PreparedOpening opening);
+    /// Whether there are bases left to be sent.
+    bool isOpening() const { return m_opening.has_value(); }
     /// Whether there is something of every face on the card since `reset`.
     bool isShown() const { return m_isShown; }
     /// Whether a plan is needed: not all is as the last one took it to be.
@@ -112,7 +119,7 @@ public:
     /// Takes blocks over, made from a snapshot taken after the jobs were given out.
     /// \param store  as it is now
     void accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store);
-    /// What is ready to be sent: blocks accepted, and what was touched.
+    /// What is ready to be sent: a part of the bases, or blocks accepted and what was touched.
     /// \param mostRead  texels of the store to be read for that, but at least one face
     DisplayUpdate takeReady(const TexelStore& store, std::size_t mostRead);
     bool hasReady() const;
@@ -171,6 +178,8 @@ protected:
     /// Begins with a store; see `DisplayTexels::reset`.
     void begin(const TexelStore& store, int mipDrop, std::uint32_t maxElements);
 
+    /// Does to an opening what takes long, on any thread.
+    std::function<PreparedOpening(CardOpening)> preparer() const;
     /// An opening with nothing left for later, here and now.
     virtual CardOpening openNow(const TexelStore& store) const = 0;
     /// A job's block that was touched on its way, from the store as it is; none where a job should
@@ -215,10 +224,23 @@ private:
     };
     static constexpr std::uint8_t kTouchedInFlight = 0x80;
 
-    // display_blocks.cpp
+    /// Bases on their way to the card, and what of them has been sent.
+    struct Opening
+    {
+        CardOpening made;
+        bool isFresh = false;
+        bool isBegun = false;
+        std::size_t nextFace = 0;
+    };
+
+    // display_opening.cpp
     void opensAnew();
-    void openFresh(const CardOpening& opening);
-    void openAgain(const CardOpening& opening);
+    void openFresh(FreshBlocks fresh);
+    void openAgain(std::size_t face);
+    DisplayUpdate nextBases(std::size_t mostFaces);
+    void opened();
+
+    // display_blocks.cpp
     void planEverything();
     DisplayUpdate gathered();
     std::optional<DisplayUpdate::Range> placeOf(const Write& write) const;
@@ -240,7 +262,7 @@ private:
     bool m_opens = false;
     bool m_isOpen = false;
     bool m_isShown = false;
-    bool m_fresh = false;
+    std::optional<Opening> m_opening;
     CardRoom m_room; ///< in the buffer as it is
     std::vector<FaceOnCard> m_faces;
 
@@ -258,7 +280,6 @@ private:
     std::size_t m_nextMean = 0;
     std::uint32_t m_noRoom = 0; ///< a bit a level that found none; until the next update
 
-    bool m_sendBases = false;
     std::vector<Write> m_writes;
 };
 

@@ -15,7 +15,7 @@ std::size_t DisplayBlocks::bytesOf(int level) const
 
 bool DisplayBlocks::hasJobs(bool means) const
 {
-    return !m_opens && (!m_again.empty() || m_nextMake < m_plan.make.size() ||
+    return !m_opens && !m_opening && (!m_again.empty() || m_nextMake < m_plan.make.size() ||
                         (means && m_nextMean < m_means.size()));
 }
 
@@ -111,7 +111,7 @@ JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
 {
     JobBatch batch;
     batch.generation = m_generation;
-    if (m_opens || !m_isOpen) {
+    if (m_opens || m_opening || !m_isOpen) {
         return batch;
     }
     constexpr std::size_t kMostJobs = 2048; // so that no batch takes long to take over

@@ -22,8 +22,8 @@ constexpr std::size_t kMostRead = 1U << 18U;
 
 DisplayTexels::Opener DisplayTexels::opener() const
 {
-    return [form = m_form](const TexelStore& store) {
-        return openCard(store, form, false, Threads::all());
+    return [form = m_form, prepare = preparer()](const TexelStore& store) {
+        return prepare(openCard(store, form, false, Threads::all()));
     };
 }
 

@@ -34,8 +34,8 @@ void DisplayVertices::reset(std::shared_ptr<const FilterMesh> mesh,
 
 DisplayVertices::Opener DisplayVertices::opener() const
 {
-    return [form = m_form, mesh = m_mesh](const TexelStore& store) {
-        return openVertices(store, form, *mesh, Threads::all());
+    return [form = m_form, mesh = m_mesh, prepare = preparer()](const TexelStore& store) {
+        return prepare(openVertices(store, form, *mesh, Threads::all()));
     };
 }
 

@@ -71,7 +71,7 @@ Status Renderer::setMesh(const TriangleMesh& mesh)
     Status status = m_surface->setMesh(mesh);
     m_faceCount = status ? mesh.faceCount() : 0;
     for (Layer& layer : m_layers) {
-        layer.card.clear(m_faceCount);
+        layer.card.clear();
     }
     return status;
 }
@@ -84,7 +84,7 @@ void Renderer::clear()
     m_filterMesh.reset();
     for (Layer& layer : m_layers) {
         forgetDisplay(layer);
-        layer.card.clear(0);
+        layer.card.clear();
         clearFilters(layer);
     }
     (void)m_surface->setMesh({}); // an empty mesh always fits
@@ -156,7 +156,7 @@ void Renderer::shareBudget()
 void Renderer::clearOtherTexels()
 {
     forgetDisplay(layer(Side::B));
-    layer(Side::B).card.clear(m_faceCount);
+    layer(Side::B).card.clear();
     m_hasOtherTexels = false;
     shareBudget();
     clearFilters(layer(Side::B));

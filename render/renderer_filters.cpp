@@ -24,7 +24,7 @@ void Renderer::clearVertices(Layer& layer)
 {
     if (std::exchange(layer.hasVertices, false)) {
         layer.vertices = DisplayVertices(++m_displays << 16U);
-        layer.vertexCard.clear(0);
+        layer.vertexCard.clear();
     }
 }
 
@@ -58,7 +58,6 @@ DisplayVertices* Renderer::vertices(const TexelStore& store, Side side)
     }
     Layer& shown = layer(side);
     if (!std::exchange(shown.hasVertices, true)) {
-        shown.vertexCard.clear(m_faceCount);
         shown.vertices.reset(
             m_filterMesh, store, shown.mipDrop, mostTexels(texelBytes(shown.display.format())));
         shown.vertices.showChannels(shown.display.channels());

@@ -2,7 +2,7 @@
 #include "render/surface_texels.h"
 
 #include <array>
-#include <vector>
+#include <utility>
 
 namespace trixel::render {
 
@@ -19,60 +19,64 @@ std::unique_ptr<TextureBuffer> texelBuffer(Gl& gl, DisplayFormat format)
 
 SurfaceTexels::SurfaceTexels(Gl& gl)
     : m_gl(gl)
-    , m_records(gl, GL_RG32UI, sizeof(FaceRecord))
 {
 }
 
-void SurfaceTexels::clear(std::size_t faceCount)
+void SurfaceTexels::clear()
 {
-    const std::vector<FaceRecord> pending(faceCount);
-    m_records.fill(std::as_bytes(std::span(pending)));
-    m_texels.reset();
+    m_shown = {};
+    m_next = {};
 }
 
-void SurfaceTexels::begin(const DisplayUpdate& update, DisplayFormat format)
+SurfaceTexels::Buffers SurfaceTexels::begun(const DisplayUpdate& update,
+                                            std::span<const FaceRecord> records,
+                                            DisplayFormat format)
 {
-    if (!m_texels || m_format != format) {
-        m_texels = texelBuffer(m_gl, format);
-        m_format = format;
-    }
-    if (update.capacity > m_texels->size()) {
-        m_texels->grow(update.capacity);
-    }
+    Buffers made{std::make_unique<TextureBuffer>(m_gl, GL_RG32UI, sizeof(FaceRecord)),
+                 texelBuffer(m_gl, format)};
+    made.records->fill(std::as_bytes(records));
+    made.texels->allocate(update.capacity);
+    return made;
 }
 
 void SurfaceTexels::upload(const DisplayUpdate& update,
                            std::span<const FaceRecord> records,
                            DisplayFormat format)
 {
-    if (!m_texels || m_format != format) {
-        m_texels = texelBuffer(m_gl, format);
-        m_format = format;
-    }
     if (update.fresh) {
-        m_texels->allocate(update.capacity);
-        m_records.fill(std::as_bytes(records));
-    } else if (update.capacity > m_texels->size()) {
-        m_texels->grow(update.capacity);
+        if (!update.isPart) {
+            m_shown = {}; // two take more room than one
+        }
+        m_next = begun(update, records, format);
+    }
+    Buffers& to = m_next.texels ? m_next : m_shown;
+    if (!to.texels) {
+        return;
+    }
+    if (update.capacity > to.texels->size()) {
+        to.texels->grow(update.capacity);
     }
     for (const CardBlocks::Move& move : update.moves) {
-        m_texels->copy(move.from, move.to, move.count);
+        to.texels->copy(move.from, move.to, move.count);
     }
     std::span<const std::byte> bytes(update.bytes);
     for (const DisplayUpdate::Range& range : update.texels) {
         const std::size_t size = range.count * texelBytes(format);
-        m_texels->write(range.first, bytes.first(size));
+        to.texels->write(range.first, bytes.first(size));
         bytes = bytes.subspan(size);
     }
     for (const DisplayUpdate::Range& range : update.records) {
-        m_records.write(range.first, std::as_bytes(records.subspan(range.first, range.count)));
+        to.records->write(range.first, std::as_bytes(records.subspan(range.first, range.count)));
+    }
+    if (m_next.texels && !update.isPart) {
+        m_shown = std::exchange(m_next, {});
     }
 }
 
 void SurfaceTexels::bind(GLuint records, GLuint texels)
 {
-    m_records.bind(records);
-    m_texels->bind(texels);
+    m_shown.records->bind(records);
+    m_shown.texels->bind(texels);
 }
 
 } // namespace trixel::render

@@ -18,14 +18,13 @@ class SurfaceTexels
 public:
     explicit SurfaceTexels(Gl& gl);
 
-    /// Forgets all: so many faces whose texels have not been sent.
-    void clear(std::size_t faceCount);
+    /// Forgets all.
+    void clear();
     /// Whether there is something to draw.
-    bool isEmpty() const { return !m_texels || m_texels->size() == 0; }
+    bool isEmpty() const { return !m_shown.texels || m_shown.texels->size() == 0; }
 
-    /// Makes room for what an update holds; `upload` does so, too.
-    void begin(const DisplayUpdate& update, DisplayFormat format);
-    /// Sends what an update holds. \param records  all of them, as they are now
+    /// Sends what an update holds. What begins afresh is shown once all of it has come, and what
+    /// was there until then. \param records  all of them, as they are now
     void
     upload(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);
 
@@ -33,10 +32,17 @@ public:
     void bind(GLuint records, GLuint texels);
 
 private:
+    struct Buffers
+    {
+        std::unique_ptr<TextureBuffer> records;
+        std::unique_ptr<TextureBuffer> texels;
+    };
+    Buffers
+    begun(const DisplayUpdate& update, std::span<const FaceRecord> records, DisplayFormat format);
+
     Gl& m_gl;
-    TextureBuffer m_records;
-    std::unique_ptr<TextureBuffer> m_texels;
-    DisplayFormat m_format = DisplayFormat::Rgba8;
+    Buffers m_shown;
+    Buffers m_next; ///< none but while it comes
 };
 
 } // namespace trixel::render

@@ -386,6 +386,140 @@ TEST(DisplayTexels, facesThatCameLaterAreSentAsTheyAreThen)
     expectShows(card, store, 0);
 }
 
+/// So many that their bases are not sent at once; every third of them painted.
+TexelStore manyFaces()
+{
+    TexelStore store(150'000, TexelFormat{}, Level(1), bytesOf({1, 2, 3}));
+    std::mt19937 random(5);
+    for (std::uint32_t f = 0; f < store.faceCount(); f += 3) {
+        paint(store, faceId(f), random);
+    }
+    return store;
+}
+
+/// Takes over bases part by part. \return  the parts
+std::vector<DisplayUpdate> openInParts(DisplayTexels& display, const TexelStore& store)
+{
+    display.open(display.opener()(store));
+    std::vector<DisplayUpdate> parts;
+    while (display.isOpening()) {
+        EXPECT_FALSE(display.hasJobs());
+        EXPECT_TRUE(display.nextJobs(kAll).jobs.empty());
+        EXPECT_TRUE(display.hasReady());
+        parts.push_back(display.takeReady(store, kAll));
+    }
+    return parts;
+}
+
+TEST(DisplayTexels, basesComeInPartsAndAreShownOnceAllHaveCome)
+{
+    const TexelStore store = manyFaces();
+    DisplayTexels display;
+    display.reset(store, 0, kMuch);
+    const std::vector<DisplayUpdate> parts = openInParts(display, store);
+    ASSERT_EQ(parts.size(), 3U);
+    EXPECT_TRUE(display.isShown());
+    std::uint32_t next = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        EXPECT_EQ(parts[k].fresh, k == 0);
+        EXPECT_EQ(parts[k].isPart, k < 2);
+        ASSERT_EQ(parts[k].texels.size(), 1U);
+        EXPECT_EQ(parts[k].texels[0].first, next);
+        EXPECT_EQ(parts[k].bytes.size(), 4 * parts[k].texels[0].count);
+        next += parts[k].texels[0].count;
+    }
+    EXPECT_EQ(next, store.faceCount());
+    Card card;
+    for (const DisplayUpdate& part : parts) {
+        card.apply(display, part);
+    }
+    while (display.hasWork()) {
+        card.apply(display, display.take(store, kAll));
+    }
+    expectShows(card, store, 0);
+}
+
+TEST(DisplayTexels, aBufferToComeHoldsOnlyBasesWhileAnotherIsShown)
+{
+    const TexelStore store = manyFaces();
+    DisplayTexels display;
+    display.reset(store, 0, kMuch);
+    Card card;
+    while (display.hasWork()) {
+        card.apply(display, display.take(store, kAll));
+    }
+    display.setMost(200'000);
+    ASSERT_TRUE(display.needsOpening());
+    card = {};
+    for (const DisplayUpdate& part : openInParts(display, store)) {
+        EXPECT_EQ(part.capacity, store.faceCount());
+        EXPECT_TRUE(display.isShown()); // what was there
+        card.apply(display, part);
+    }
+    while (display.hasWork()) {
+        card.apply(display, display.take(store, kAll));
+    }
+    EXPECT_LE(card.texels.size(), 4 * 200'000U);
+    EXPECT_GT(card.texels.size(), 4 * 150'000U);
+}
+
+TEST(DisplayTexels, openedAgainFacesStayShownUntilTheirPartComes)
+{
+    TexelStore store = manyFaces();
+    DisplayTexels display;
+    display.reset(store, 0, kMuch);
+    Card card;
+    card.apply(display, display.take(store, kAll));
+    std::mt19937 random(9);
+    for (std::uint32_t f = 0; f < store.faceCount(); f += 2) {
+        paint(store, faceId(f), random);
+    }
+    display.touchAll();
+    for (const DisplayUpdate& part : openInParts(display, store)) {
+        EXPECT_FALSE(part.fresh || part.isPart);
+        card.apply(display, part);
+    }
+    while (display.hasWork()) {
+        card.apply(display, display.take(store, kAll));
+    }
+    expectShows(card, store, 0);
+}
+
+TEST(DisplayTexels, whatIsTouchedWhileBasesComeIsSentAfterThem)
+{
+    TexelStore store = manyFaces();
+    DisplayTexels display;
+    display.reset(store, 0, kMuch);
+    Card card;
+    std::mt19937 random(3);
+    display.open(display.opener()(store));
+    while (display.isOpening()) {
+        card.apply(display, display.takeReady(store, kAll));
+        for (const std::uint32_t f : {0U, 70'000U, 149'999U}) {
+            const bool isWhole = store.face(faceId(f)).isConstant();
+            paint(store, faceId(f), random);
+            const TouchedRect rect{faceId(f), 0, 0, 2, 2, isWhole};
+            display.touch(store, {{rect}});
+        }
+    }
+    while (display.hasWork()) {
+        card.apply(display, display.take(store, kAll));
+    }
+    expectShows(card, store, 0);
+}
+
+TEST(DisplayTexels, anOpeningForAnotherBoundIsNotPossible)
+{
+    const TexelStore store = mixedStore(60);
+    DisplayTexels display;
+    display.reset(store, 0, kMuch);
+    const PreparedOpening made = display.opener()(store);
+    EXPECT_TRUE(display.canOpen(made));
+    display.setMost(kMuch / 2);
+    EXPECT_FALSE(display.canOpen(made));
+    EXPECT_TRUE(display.canOpen(display.opener()(store)));
+}
+
 TEST(DisplayTexels, anEmptyStoreNeedsNothing)
 {
     const TexelStore store;

@@ -181,6 +181,9 @@ public:
             m_display.open(m_display.opener()(m_store));
             m_isNewView = true;
         }
+        while (m_display.isOpening()) {
+            apply(m_display.takeReady(m_store, 1U << 20U));
+        }
         if (m_isNewView || m_display.needsPlan()) {
             m_isNewView = false;
             m_wishes.resize(m_store.faceCount());

@@ -112,6 +112,9 @@ void CardStreaming::forget()
 void CardStreaming::texelsChanged()
 {
     for (Lane& lane : m_lanes) {
+        if (lane.maker) {
+            m_pool.start([maker = std::move(lane.maker)]() mutable { maker = nullptr; }, kUsual);
+        }
         lane.forgetSnapshot();
     }
     m_pause.start();
@@ -171,7 +174,11 @@ bool CardStreaming::send(const Frame& frame)
     open(frame);
     plan(frame);
     frame.sendReady();
-    while (!lane.batches.empty() && lane.batches.front().made->isDone && frame.hasTime()) {
+    while (frame.display.isOpening() && frame.hasTime()) {
+        frame.sendReady();
+    }
+    while (!frame.display.isOpening() && !lane.batches.empty() &&
+           lane.batches.front().made->isDone && frame.hasTime()) {
         const Batch batch = std::move(lane.batches.front());
         lane.batches.pop_front();
         frame.display.accept(*batch.made->result, batch.jobs, frame.store);
@@ -180,7 +187,8 @@ bool CardStreaming::send(const Frame& frame)
     plan(frame); // blocks may have found no room
     giveOut(frame);
     const bool isNextReady = !lane.batches.empty() && lane.batches.front().made->isDone;
-    return isNextReady || (frame.display.hasReady() && !frame.display.needsOpening());
+    return isNextReady || frame.display.isOpening() ||
+           (frame.display.hasReady() && !frame.display.needsOpening());
 }
 
 /// What there is to show at the least comes before all else.
@@ -188,11 +196,14 @@ void CardStreaming::open(const Frame& frame)
 {
     Lane& lane = frame.lane;
     render::DisplayBlocks& display = frame.display;
+    if (display.isOpening()) {
+        return; // one after the other
+    }
     if (lane.opening && lane.opening->isDone) {
-        const render::CardOpening& made = *lane.opening->result;
-        if (display.needsOpening() && made.form == display.form() &&
-            made.faces.size() == frame.store.faceCount()) {
-            display.open(made);
+        render::PreparedOpening& made = *lane.opening->result;
+        if (display.canOpen(made) && made.opening.form == display.form() &&
+            made.opening.faces.size() == frame.store.faceCount()) {
+            display.open(std::move(made));
             if (lane.openingNumber != display.openingNumber()) {
                 display.touchAll(); // of what is by now: better shown late than never
             }
@@ -202,7 +213,7 @@ void CardStreaming::open(const Frame& frame)
     if (display.needsOpening() && !lane.opening) {
         lane.forgetSnapshot(); // it may be of another store
         lane.openingNumber = display.openingNumber();
-        lane.opening = start<render::CardOpening>(
+        lane.opening = start<render::PreparedOpening>(
             kSoon, [snapshot = snapshotOf(lane, frame.store), opener = display.opener()] {
                 return opener(*snapshot);
             });
@@ -215,12 +226,15 @@ void CardStreaming::plan(const Frame& frame)
     Lane& lane = frame.lane;
     render::DisplayBlocks& display = frame.display;
     if (lane.plan && lane.plan->isDone) {
-        if (lane.plan->result->wanted.size() == display.records().size()) {
+        if (lane.plannedOpening == display.openingNumber()) {
             display.follow(std::move(*lane.plan->result));
+        } else {
+            lane.planned.reset(); // what was there when it was made is no more
         }
         lane.plan = nullptr;
     }
-    const bool isOpen = !display.needsOpening() && !display.records().empty();
+    const bool isOpen =
+        !display.needsOpening() && !display.isOpening() && !display.records().empty();
     const bool isNew =
         display.needsPlan() || !lane.planned || !sameView(*lane.planned, frame.camera);
     const bool hasExtents = frame.extents && frame.extents->isDone;
@@ -228,6 +242,7 @@ void CardStreaming::plan(const Frame& frame)
         return;
     }
     lane.planned = frame.camera;
+    lane.plannedOpening = display.openingNumber();
     lane.plan = start<render::ResidencyPlan>(
         kSoon,
         [extents = frame.extents,
@@ -245,7 +260,9 @@ void CardStreaming::giveOut(const Frame& frame)
     Lane& lane = frame.lane;
     render::DisplayBlocks& display = frame.display;
     const bool means = !m_pause.isActive();
-    while (lane.batches.size() < kBatches && frame.isShown && display.hasJobs(means)) {
+    bool isFirst = lane.batches.empty();
+    while ((std::exchange(isFirst, false) || frame.hasTime()) && lane.batches.size() < kBatches &&
+           frame.isShown && display.hasJobs(means)) {
         render::JobBatch jobs = display.nextJobs(kBatchBytes, means);
         if (jobs.jobs.empty()) {
             break;
@@ -259,7 +276,12 @@ void CardStreaming::giveOut(const Frame& frame)
         lane.batches.push_back({std::move(jobs), std::move(made)});
     }
     if (lane.batches.empty() && !lane.opening) {
-        lane.forgetSnapshot(); // painting would copy what it shares
+        // Painting would copy what a snapshot shares. What was kept to make blocks takes long to
+        // let go of.
+        if (lane.maker) {
+            m_pool.start([maker = std::move(lane.maker)]() mutable { maker = nullptr; }, kUsual);
+        }
+        lane.forgetSnapshot();
     }
 }
 

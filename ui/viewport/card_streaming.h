@@ -86,11 +86,12 @@ private:
     {
         std::shared_ptr<const TexelStore> snapshot;
         render::DisplayBlocks::Maker maker; ///< of blocks of the snapshot
-        TaskPtr<render::CardOpening> opening;
+        TaskPtr<render::PreparedOpening> opening;
         std::uint32_t openingNumber = 0;
         TaskPtr<render::ResidencyPlan> plan;
         std::optional<render::Camera> planned; ///< the view of the latest plan
-        std::deque<Batch> batches;             ///< taken over in the order given out
+        std::uint32_t plannedOpening = 0;
+        std::deque<Batch> batches; ///< taken over in the order given out
 
         void forgetSnapshot();
     };

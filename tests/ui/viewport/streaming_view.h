@@ -84,10 +84,11 @@ struct StreamingView
         }
     }
 
-    void frame()
+    void frame(double milliseconds = kFrameMs)
     {
         offscreen.bind();
-        (void)streaming.send(*renderer, scene.camera, project.texels, render::Side::A, kFrameMs);
+        (void)streaming.send(
+            *renderer, scene.camera, project.texels, render::Side::A, milliseconds);
     }
 
     void finish()

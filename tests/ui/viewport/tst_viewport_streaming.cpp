@@ -127,6 +127,33 @@ private slots:
         view.finish();
         QVERIFY(farthest(picture, view.offscreen.draw(*view.renderer, view.scene)) <= 2);
     }
+
+    /// Their bases take several frames.
+    void veryManyFacesStayShownWhileTheBudgetShrinks()
+    {
+        StreamingView view(noisyProject(220, 2), 64 * kMiB);
+        view.scene.camera.setPose(poseAt(0));
+        view.frame();
+        view.finish();
+        const QImage before = view.offscreen.draw(*view.renderer, view.scene);
+        view.offscreen.bind();
+        view.renderer->setCardBudget(2 * kMiB);
+        bool wasOpening = false;
+        for (int k = 0; k < 200; ++k) {
+            view.frame(0); // one part each
+            wasOpening = wasOpening || view.renderer->texels().isOpening();
+            const QImage seen = view.offscreen.draw(*view.renderer, view.scene);
+            QVERIFY(farthest(before, seen) <= 2);
+            if (!view.renderer->texels().needsOpening() && !view.streaming.isBusy()) {
+                break;
+            }
+            QTest::qWait(1);
+        }
+        QVERIFY(wasOpening);
+        view.finish();
+        QVERIFY(farthest(before, view.offscreen.draw(*view.renderer, view.scene)) <= 2);
+        QVERIFY(view.renderer->figures().residentBytes <= 2 * kMiB);
+    }
 };
 
 QTEST_MAIN(TestViewportStreaming)
