@@ -46,6 +46,12 @@ std::uint32_t shelfOrder(std::uint32_t size, std::uint32_t page, std::uint32_t p
     return best;
 }
 
+/// Whether its blocks take a shelf more than they need. \param c  a class of blocks
+bool hasSpareShelf(const auto& c)
+{
+    return !c.shelves.empty() && c.used + c.perShelf <= c.shelves.size() * c.perShelf;
+}
+
 } // namespace
 
 CardBlocks::CardBlocks(BlockKind kind, std::size_t faceCount, std::uint32_t capacity)
@@ -214,31 +220,33 @@ void CardBlocks::giveBack(Class& c, std::uint32_t slot)
 void CardBlocks::compact(std::size_t most)
 {
     for (Class& c : m_classes) {
-        if (!c.shelves.empty() && c.used + c.perShelf <= c.shelves.size() * c.perShelf) {
+        if (hasSpareShelf(c)) {
             compact(c, most);
         }
     }
 }
 
-/// Blocks from the end into the first holes, then shelves that are left over go.
+/// Blocks from the end into holes that will not be at the end, then shelves that are left over go.
 void CardBlocks::compact(Class& c, std::size_t& most)
 {
-    std::ranges::sort(c.holes);
+    const std::uint32_t end = c.used; // all of them fit before it
     const auto dropEnd = [&] {
         while (!c.faces.empty() && c.faces.back() == kNone) {
             c.faces.pop_back();
         }
     };
-    std::size_t filled = 0;
-    for (; filled < c.holes.size() && most > 0; ++filled) {
-        dropEnd();
-        const std::uint32_t hole = c.holes[filled];
-        if (hole >= c.faces.size()) {
-            break;
-        }
-        if (c.faces[hole] != kNone) {
+    std::vector<std::uint32_t> left; // holes behind it
+    while (most > 0 && !c.holes.empty()) {
+        const std::uint32_t hole = c.holes.back();
+        c.holes.pop_back();
+        if (hole >= c.faces.size() || c.faces[hole] != kNone) {
             continue; // noted twice: given back, taken, and given back again
         }
+        if (hole >= end) {
+            left.push_back(hole);
+            continue;
+        }
+        dropEnd();
         const auto last = static_cast<std::uint32_t>(c.faces.size() - 1);
         const std::uint32_t face = c.faces[last];
         m_moves.push_back({offsetOf(c, last), offsetOf(c, hole), c.size});
@@ -248,7 +256,7 @@ void CardBlocks::compact(Class& c, std::size_t& most)
         --most;
     }
     dropEnd();
-    c.holes.erase(c.holes.begin(), c.holes.begin() + static_cast<std::ptrdiff_t>(filled));
+    c.holes.insert(c.holes.end(), left.begin(), left.end());
     std::erase_if(c.holes, [&](std::uint32_t slot) { return slot >= c.faces.size(); });
     while (!c.shelves.empty() && (c.shelves.size() - 1) * c.perShelf >= c.faces.size()) {
         const std::uint32_t first = c.shelves.back();
@@ -266,7 +274,13 @@ std::uint32_t CardBlocks::takePages(std::uint32_t order)
 {
     std::uint32_t first = findPages(order);
     if (first == kNone && m_freePages < 1U << order) {
-        compact();
+        // Shelf by shelf, no more of them than needed: each block that moves takes time.
+        for (Class& c : m_classes) {
+            while (m_freePages < 1U << order && hasSpareShelf(c)) {
+                std::size_t most = c.perShelf;
+                compact(c, most);
+            }
+        }
         first = findPages(order);
     }
     if (first == kNone && clearWindow(order)) {
