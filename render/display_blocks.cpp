@@ -353,7 +353,7 @@ bool DisplayBlocks::place(FaceId face, int level)
         return true;
     }
     release(face, false);
-    m_again.push_back({face, static_cast<std::uint8_t>(level)});
+    makeAgainLater({face, static_cast<std::uint8_t>(level)});
     m_plans = true;
     return false;
 }

@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace trixel::render {
@@ -160,6 +161,7 @@ protected:
         bool whole = false;                           ///< every texel of the face instead
 
         TouchedRect of(FaceId face) const;
+        std::size_t area() const { return std::size_t{x1 - x0} * (y1 - y0); }
     };
 
     /// \param generation  jobs of another display that this one takes the place of must have a
@@ -205,13 +207,14 @@ protected:
     /// Notes the bytes appended since as elements of a face's block. \param first  in the block
     void write(FaceId face, std::uint8_t level, std::uint32_t first, std::size_t bytesBefore);
     void meanLater(FaceId face);
+    /// Has a job make a block that was touched on its way, or would take too long here.
+    void makeAgainLater(const BlockJob& job);
     FaceOnCard& onCard(FaceId face) { return m_faces[indexOf(face)]; }
 
     CardForm m_form;
     CardBlocks m_blocks;
     std::unordered_map<std::uint32_t, Rect> m_touched;
     std::vector<std::byte> m_bytes; ///< on their way
-    std::deque<BlockJob> m_again;   ///< what was touched on its way, or took too long
 
 private:
     /// Elements on their way; they go where the face's block is when they are sent.
@@ -223,6 +226,10 @@ private:
         std::uint32_t count = 0;
     };
     static constexpr std::uint8_t kTouchedInFlight = 0x80;
+    static std::uint64_t keyOf(const BlockJob& job)
+    {
+        return std::uint64_t{indexOf(job.face)} << 8U | job.level;
+    }
 
     /// Bases on their way to the card, and what of them has been sent.
     struct Opening
@@ -265,6 +272,9 @@ private:
     std::optional<Opening> m_opening;
     CardRoom m_room; ///< in the buffer as it is
     std::vector<FaceOnCard> m_faces;
+
+    std::deque<BlockJob> m_again;                ///< see `makeAgainLater`
+    std::unordered_set<std::uint64_t> m_isAgain; ///< keys of those
 
     bool m_plans = false;
     bool m_followsView = false;

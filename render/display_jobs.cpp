@@ -15,8 +15,9 @@ std::size_t DisplayBlocks::bytesOf(int level) const
 
 bool DisplayBlocks::hasJobs(bool means) const
 {
-    return !m_opens && !m_opening && (!m_again.empty() || m_nextMake < m_plan.make.size() ||
-                        (means && m_nextMean < m_means.size()));
+    return !m_opens && !m_opening &&
+           (!m_again.empty() || m_nextMake < m_plan.make.size() ||
+            (means && m_nextMean < m_means.size()));
 }
 
 /// Whether the block would be better than what is shown.
@@ -47,7 +48,7 @@ bool DisplayBlocks::makeSpare(JobBatch& batch)
                 face.shown = job.level;
             } else { // no room for both of them
                 release(job.face, true);
-                m_again.push_back(job);
+                makeAgainLater(job);
             }
             return true;
         }
@@ -131,11 +132,17 @@ JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
         }
         return true;
     };
-    while (wantsMore() && !m_again.empty()) {
-        if (!tryJob(m_again.front())) {
+    for (std::size_t left = m_again.size(); wantsMore() && left > 0; --left) {
+        const BlockJob job = m_again.front();
+        m_again.pop_front();
+        if ((m_inFlight[indexOf(job.face)] & kTouchedInFlight) != 0) {
+            m_again.push_back(job); // beside those under way it would count as touched like them
+            continue;
+        }
+        m_isAgain.erase(keyOf(job));
+        if (!tryJob(job)) {
             m_plans = true; // there is more to show than was planned for
         }
-        m_again.pop_front();
     }
     while (wantsMore() && m_nextMake < m_plan.make.size()) {
         if (!tryJob(m_plan.make[m_nextMake])) {
@@ -167,6 +174,8 @@ void DisplayBlocks::accept(const MadeBlocks& made, const JobBatch& batch, const 
         return;
     }
     m_elementsInFlight -= batch.elements;
+    constexpr std::size_t kMostReadAgain = 1U << 18U; // texels: a small part of a frame
+    std::size_t readAgain = 0;
     std::size_t begin = 0;
     for (std::size_t k = 0; k < made.jobs.size(); ++k) {
         const BlockJob& job = made.jobs[k];
@@ -178,17 +187,36 @@ void DisplayBlocks::accept(const MadeBlocks& made, const JobBatch& batch, const 
         inFlight = (--inFlight & ~kTouchedInFlight) == 0 ? 0 : inFlight;
         if (!wasTouched) {
             acceptBlock(job, bytes);
-        } else if (const auto again = makeAgain(store, job)) {
-            acceptBlock(job, again->bytes);
-        } else {
-            m_again.push_back(job);
+            continue;
         }
+        const auto again =
+            readAgain < kMostReadAgain ? makeAgain(store, job) : std::optional<MadeBlocks>();
+        if (again) {
+            acceptBlock(job, again->bytes);
+            readAgain += store.face(job.face).level().texelCount();
+        } else {
+            makeAgainLater(job);
+        }
+    }
+}
+
+/// What waits already is not asked for twice, however often it is touched meanwhile.
+void DisplayBlocks::makeAgainLater(const BlockJob& job)
+{
+    if (m_isAgain.insert(keyOf(job)).second) {
+        m_again.push_back(job);
     }
 }
 
 void DisplayBlocks::acceptBlock(const BlockJob& job, std::span<const std::byte> bytes)
 {
-    if (bytes.empty() || (job.level > 0 && !placeBlock(job))) {
+    if (bytes.empty()) { // a block that the face has no more, having become of one value
+        if (m_faces[indexOf(job.face)].isStale()) {
+            m_touched[static_cast<std::uint32_t>(job.face)].whole = true;
+        }
+        return;
+    }
+    if (job.level > 0 && !placeBlock(job)) {
         return;
     }
     const std::size_t before = m_bytes.size();

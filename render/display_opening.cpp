@@ -40,6 +40,7 @@ void DisplayBlocks::open(PreparedOpening prepared)
         openFresh(std::move(*prepared.fresh));
     }
     m_again.clear();
+    m_isAgain.clear();
     m_writes.clear();
     m_bytes.clear();
     m_noMean = std::move(prepared.hasNoMean);

@@ -102,7 +102,7 @@ std::size_t DisplayTexels::sendWhole(const FaceTexels& texels, FaceId face)
     if (level == 0 || texels.level().texelCount() > 4 * kMostRead) {
         release(face, false);
         if (level > 0) {
-            m_again.push_back({face, static_cast<std::uint8_t>(level)});
+            makeAgainLater({face, static_cast<std::uint8_t>(level)});
         }
         return sendMean(texels, face);
     }
@@ -151,11 +151,14 @@ std::size_t DisplayTexels::sendReduced(const FaceTexels& texels, FaceId face, co
     const TouchedRect touched = rect.of(face);
     const int level = onCard(face).level();
     const int steps = texels.level().log2() - level;
-    const std::vector<std::uint32_t> changed = touchedAt(Level(level), texels.level(), touched);
+    const std::size_t least = rect.area();
+    const std::vector<std::uint32_t> changed =
+        least > 4 * kMostRead ? std::vector<std::uint32_t>()
+                              : touchedAt(Level(level), texels.level(), touched);
     const std::size_t read = changed.size() << (2U * static_cast<unsigned>(steps));
-    if (read > 4 * kMostRead) {
+    if (std::max(least, read) > 4 * kMostRead) {
         onCard(face).shown |= FaceOnCard::kStale;
-        m_again.push_back({face, static_cast<std::uint8_t>(level)});
+        makeAgainLater({face, static_cast<std::uint8_t>(level)});
         return 0;
     }
     std::vector<std::byte> texel(texels.texelBytes());
@@ -172,7 +175,7 @@ std::size_t DisplayTexels::sendReduced(const FaceTexels& texels, FaceId face, co
 std::size_t DisplayTexels::sendMean(const FaceTexels& texels, FaceId face)
 {
     if (!texels.isConstant() && texels.level().texelCount() > kMostRead) {
-        m_again.push_back({face, 0});
+        makeAgainLater({face, 0});
         return 0;
     }
     const std::size_t before = m_bytes.size();

@@ -160,7 +160,7 @@ void DisplayVertices::sendWhole(const FaceVertices& vertices, FaceId face)
         release(face, false);
     } else if (level > kFewLevels) {
         sendLater(face);
-        m_again.push_back({face, static_cast<std::uint8_t>(level)});
+        makeAgainLater({face, static_cast<std::uint8_t>(level)});
         return;
     } else {
         (void)place(face, level); // or its base
@@ -212,7 +212,7 @@ void DisplayVertices::sendLater(FaceId face)
         meanLater(face);
     } else if (!shown.isStale()) { // else a job comes already
         shown.shown |= FaceOnCard::kStale;
-        m_again.push_back({face, static_cast<std::uint8_t>(shown.level())});
+        makeAgainLater({face, static_cast<std::uint8_t>(shown.level())});
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <random>
 
 using namespace trixel;
@@ -383,6 +384,45 @@ TEST(DisplayTexels, facesThatCameLaterAreSentAsTheyAreThen)
     while (display.hasWork()) {
         card.apply(display, display.take(store, 100));
     }
+    expectShows(card, store, 0);
+}
+
+/// As the view works: two batches are always under way, and made from the store as it is.
+TEST(DisplayTexels, aFaceTouchedWithTwoOfItsJobsUnderWayComesToRest)
+{
+    std::mt19937 random(4);
+    TexelStore store(1, TexelFormat{}, Level(9), bytesOf({1, 2, 3}));
+    paint(store, faceId(0), random);
+    DisplayTexels display;
+    Card card;
+    display.reset(store, 0, kMuch);
+    display.open(display.opener()(store));
+    card.apply(display, display.takeReady(store, kAll));
+    display.follow(
+        planResidency(std::vector<Wish>{8 * 9}, display.facesOnCard(), display.mostRoom()));
+    const auto giveOut = [&] { return display.nextJobs(1); };
+    std::deque<JobBatch> underWay{giveOut(), giveOut()};
+    ASSERT_FALSE(underWay[0].jobs.empty());
+    ASSERT_FALSE(underWay[1].jobs.empty()); // levels in steps
+    paint(store, faceId(0), random);
+    const TouchedRect rect{faceId(0), 0, 0, 512, 512, false};
+    display.touch(store, {{rect}});
+    int rounds = 0;
+    while (!underWay.empty()) {
+        ASSERT_LT(++rounds, 20);
+        const JobBatch batch = std::move(underWay.front());
+        underWay.pop_front();
+        display.accept(display.maker()(store, batch.jobs), batch, store);
+        card.apply(display, display.takeReady(store, kAll));
+        while (underWay.size() < 2) {
+            JobBatch more = giveOut();
+            if (more.jobs.empty()) {
+                break;
+            }
+            underWay.push_back(std::move(more));
+        }
+    }
+    EXPECT_FALSE(display.hasJobs());
     expectShows(card, store, 0);
 }
 
