@@ -156,6 +156,7 @@ void Document::releaseHeldTexels()
 {
     if (!hasStroke()) {
         m_project.texels.releaseHeld();
+        emit heldTexelsReleased(); // copies keep what is held alive
     }
 }
 

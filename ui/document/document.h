@@ -78,7 +78,7 @@ public:
     /// What reads the faces of a large file when they are asked for; null when all are in memory.
     const std::shared_ptr<StoredFaces>& storedFaces() const { return m_project.storedFaces; }
     /// `TexelStore::releaseHeld`: spans and references into stored faces end. Not during a stroke,
-    /// which it leaves alone.
+    /// which it leaves alone. Who keeps a copy of the texels does the same when it is told.
     void releaseHeldTexels();
 
     /// The views bookmarked in the project; changed through this, one undo step a change.
@@ -149,6 +149,8 @@ public:
     bool replaceTexels(TexelStore texels, StateId madeFor, const QString& text);
 
 signals:
+    /// See `releaseHeldTexels`.
+    void heldTexelsReleased();
     /// Another project, or none.
     void opened();
     void changed(const trixel::ui::Change& change);

@@ -103,6 +103,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
     connect(
         &d->filterWatcher, &QFutureWatcherBase::finished, this, [this] { d->filterMeshReady(); });
+    connect(&document, &Document::heldTexelsReleased, this, [this] { d->releaseHeldTexels(); });
     connect(&document, &Document::levelsChanged, this, [this] { d->forgetFilterMesh(); });
     d->watchInspection();
     d->watchLimit();

@@ -64,6 +64,7 @@ public:
     // viewport_scene.cpp: what is shown
     void takeSurface();
     void takeChange(const Change& change);
+    void releaseHeldTexels();
     void touchTexels(const Change& change, render::Side side);
     void takeView();
     void takeLook();

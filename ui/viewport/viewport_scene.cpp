@@ -55,6 +55,16 @@ void Viewport::Private::takeSurface()
     q.frameAll();
 }
 
+/// Of copies that are only shown: what was read for them can be read again.
+void Viewport::Private::releaseHeldTexels()
+{
+    shownTexels.forget();
+    texelsBefore.releaseHeld();
+    if (otherTexels) {
+        otherTexels->releaseHeld();
+    }
+}
+
 void Viewport::Private::takeChange(const Change& change)
 {
     shownTexels.forget();

@@ -3,6 +3,7 @@
 #include <QTabletEvent>
 #include <QWheelEvent>
 
+#include "core/texture/stored_faces.h"
 #include "tests/ui/viewport/view_fixture.h"
 #include "ui/viewport/footprint_legend.h"
 
@@ -96,6 +97,22 @@ int paintedTexels(const ViewFixture& view)
     return count;
 }
 
+/// As if a file had faces of one grey.
+class GreyFaces final : public FaceReader
+{
+public:
+    Result<bool> read(FaceId, Level, std::span<std::byte> texels) const override
+    {
+        std::ranges::fill(texels, std::byte{90});
+        return true;
+    }
+    bool stores(FaceId, Level) const override { return false; }
+    std::span<const std::byte> mean(FaceId) const override { return m_mean; }
+
+private:
+    std::array<std::byte, 3> m_mean{std::byte{90}, std::byte{90}, std::byte{90}};
+};
+
 } // namespace
 
 class TestViewport : public QObject
@@ -154,6 +171,24 @@ private slots:
         }
         QVERIFY2(differing < large.width() * large.height() / 200,
                  std::to_string(differing).c_str());
+    }
+
+    /// The view keeps texels as they were before; that must not keep a file's faces in memory.
+    void whatIsHeldOfAFileIsGivenBackByTheViewToo()
+    {
+        Project project = squareProject(4);
+        const auto faces =
+            StoredFaces::make(project.texels.format(), std::make_unique<GreyFaces>(), 0);
+        for (const FaceId face : {kFace0, kFace1}) {
+            project.texels.exchange(face, faces->face(face, Level(4)));
+        }
+        project.storedFaces = faces;
+        m_view->document.open(std::move(project), {}, "stored");
+        m_view->viewport->settle();
+        QVERIFY(!m_view->document.texels().face(kFace0).bytes().empty());
+        QVERIFY(faces->heldBytes() > 0);
+        m_view->document.releaseHeldTexels();
+        QTRY_COMPARE(faces->heldBytes(), std::uint64_t{0});
     }
 
     void theFootprintIsExplainedWhileItIsDrawn()
