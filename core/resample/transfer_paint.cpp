@@ -232,11 +232,20 @@ Status bringSome(const Transferrer& transferrer,
 
 } // namespace
 
-std::vector<float>
-sampleDistances(const Surface& from, const Surface& to, const TexelStore& texels, std::size_t count)
+std::vector<float> sampleDistances(const Surface& from,
+                                   const Surface& to,
+                                   const TexelStore& texels,
+                                   std::size_t count,
+                                   std::span<const FaceId> faces)
 {
     check(texels.faceCount() == to.mesh().faceCount(), "texels of the surface it goes to");
-    const std::uint64_t total = texels.texelCount();
+    TransferOptions some;
+    some.faces.assign(faces.begin(), faces.end());
+    const std::vector<FaceId> all = facesOf(some, texels.faceCount());
+    std::uint64_t total = 0;
+    for (const FaceId face : all) {
+        total += texels.face(face).level().texelCount();
+    }
     std::vector<float> distances;
     if (from.mesh().faceCount() == 0 || total == 0 || count == 0) {
         return distances;
@@ -245,14 +254,13 @@ sampleDistances(const Surface& from, const Surface& to, const TexelStore& texels
     const std::uint64_t step = std::max<std::uint64_t>(1, total / count);
     std::uint64_t next = step / 2;
     std::uint64_t begin = 0;
-    for (std::size_t k = 0; k < texels.faceCount() && distances.size() < count; ++k) {
-        const Level level = texels.face(faceId(k)).level();
-        const auto corners = to.mesh().corners(faceId(k));
+    for (const FaceId face : all) {
+        const Level level = texels.face(face).level();
+        const auto corners = to.mesh().corners(face);
         for (; next < begin + level.texelCount() && distances.size() < count; next += step) {
             const auto texel = static_cast<TexelIndex>(next - begin);
             const glm::vec2 uv(centroid(level, texelAt(level, texel)));
-            const glm::vec3 point = pointAt(corners, uv.x, uv.y);
-            distances.push_back(distanceTo(from, point));
+            distances.push_back(distanceTo(from, pointAt(corners, uv.x, uv.y)));
         }
         begin += level.texelCount();
     }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace trixel {
@@ -57,10 +58,12 @@ Result<Transfer> transferPaint(const Surface& from,
 /// How far texels spread over all faces have to the other surface, in world units: for telling
 /// beforehand how many a distance will reach.
 /// \param count  how many texels at most; fewer where there are no more
+/// \param faces  of which, as in `TransferOptions`
 /// \return       distances, in no order; none where either surface has no faces
 std::vector<float> sampleDistances(const Surface& from,
                                    const Surface& to,
                                    const TexelStore& texels,
-                                   std::size_t count);
+                                   std::size_t count,
+                                   std::span<const FaceId> faces = {});
 
 } // namespace trixel

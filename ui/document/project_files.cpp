@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "core/io/ptx_rematch.h"
 #include "core/io/sample_scene.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/texture/convert.h"
@@ -69,17 +70,54 @@ Result<Project> readMeshProject(const std::filesystem::path& path, Progress& pro
     return makeProject(std::move(*mesh), options, building);
 }
 
-Result<Project> readPtxOnMesh(const std::filesystem::path& ptx,
-                              const std::filesystem::path& meshPath,
-                              Progress& progress)
+Result<MatchedPtx> readPtxMatched(const std::filesystem::path& ptx,
+                                  const std::filesystem::path& meshPath,
+                                  Progress& progress)
 {
-    StageProgress reading(progress, 0.0, 0.5);
+    StageProgress reading(progress, 0.0, 0.3);
     Result<TriangleMesh> mesh = readMesh(meshPath, reading);
     if (!mesh) {
         return tl::unexpected(mesh.error());
     }
+    StageProgress building(progress, 0.3, 0.5);
+    auto surface = Surface::build(std::move(*mesh), building);
+    if (!surface) {
+        return tl::unexpected(surface.error());
+    }
     StageProgress opening(progress, 0.5, 1.0);
-    return openPtxOnMesh(ptx, std::move(*mesh), opening);
+    return openPtxMatched(ptx, std::move(*surface), opening);
+}
+
+/// A `.ptx` on a mesh or, when its faces have to be matched to the mesh's first, why and how.
+struct PtxOnMesh
+{
+    std::optional<Project> project;
+    Error fault;
+    std::string match;
+};
+
+Result<PtxOnMesh> readPtxOnMesh(const std::filesystem::path& ptx,
+                                const std::filesystem::path& meshPath,
+                                Progress& progress)
+{
+    StageProgress reading(progress, 0.0, 0.3);
+    Result<TriangleMesh> mesh = readMesh(meshPath, reading);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    StageProgress opening(progress, 0.3, 0.7);
+    Result<Project> project = openPtxOnMesh(ptx, std::move(*mesh), opening);
+    if (project) {
+        return PtxOnMesh{std::move(*project), {}, {}};
+    }
+    if (project.error().kind != ErrorKind::Contents) {
+        return tl::unexpected(project.error());
+    }
+    StageProgress matching(progress, 0.7, 1.0);
+    const auto matched = readPtxMatched(ptx, meshPath, matching);
+    return matched ? Result<PtxOnMesh>(
+                         PtxOnMesh{std::nullopt, project.error(), matched->match.describe()})
+                   : tl::unexpected(project.error());
 }
 
 } // namespace
@@ -205,8 +243,29 @@ void ProjectFiles::openPtxOn(const QString& ptxPath, const QString& meshPath)
         [ptx = toPath(ptxPath), mesh = toPath(meshPath)](Progress& progress) {
             return readPtxOnMesh(ptx, mesh, progress);
         },
-        [this, ptxPath](Project project) {
-            m_document.open(std::move(project), {}, fileName(ptxPath));
+        [this, ptxPath, meshPath](PtxOnMesh outcome) {
+            if (!outcome.project) {
+                emit matchWanted(ptxPath,
+                                 meshPath,
+                                 tr("%1 Its faces can be matched %2.")
+                                     .arg(sentenceOf(outcome.fault, ptxPath),
+                                          QString::fromStdString(outcome.match)));
+                return;
+            }
+            m_document.open(std::move(*outcome.project), {}, fileName(ptxPath));
+            emit opened(ptxPath);
+        });
+}
+
+void ProjectFiles::openPtxMatchedOn(const QString& ptxPath, const QString& meshPath)
+{
+    load(
+        ptxPath,
+        [ptx = toPath(ptxPath), mesh = toPath(meshPath)](Progress& progress) {
+            return readPtxMatched(ptx, mesh, progress);
+        },
+        [this, ptxPath](MatchedPtx matched) {
+            m_document.open(std::move(matched.project), {}, fileName(ptxPath));
             emit opened(ptxPath);
         });
 }

@@ -35,6 +35,8 @@ public:
     void openSample();
     /// Opens a `.ptx` on a mesh from another file.
     void openPtxOn(const QString& ptxPath, const QString& meshPath);
+    /// The same where its faces are in another order or wound otherwise: they are matched.
+    void openPtxMatchedOn(const QString& ptxPath, const QString& meshPath);
     /// Starts a project on a mesh; `name` is its title.
     void createNew(std::shared_ptr<const TriangleMesh> mesh,
                    const ProjectOptions& options,
@@ -59,6 +61,9 @@ signals:
     void exportEnded();
     /// The texels of the `.ptx` are sound but its mesh is missing or damaged, as the sentence says.
     void meshWanted(const QString& ptxPath, const QString& sentence);
+    /// The `.ptx` does not fit the mesh as it stands, as the sentence says, but its faces can be
+    /// matched to the mesh's.
+    void matchWanted(const QString& ptxPath, const QString& meshPath, const QString& sentence);
     /// One sentence naming the file and the cause. Nothing is told of cancelled work.
     void failed(const QString& sentence);
     void savingChanged();

@@ -11,6 +11,8 @@
 #include "ui/document/face_selection.h"
 #include "ui/exchange/compare_dialog.h"
 #include "ui/exchange/difference_panel.h"
+#include "ui/exchange/paint_transfer.h"
+#include "ui/exchange/transfer_dialog.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
@@ -30,19 +32,25 @@ ExchangeActions::ExchangeActions(const Workspace& work, const PanelFrames& frame
                      tr("Compare the texels with those of another file, face by face"),
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
     connect(m_compare, &QAction::triggered, this, &ExchangeActions::askToCompare);
+    m_transferFrom = make(tr("Transfer Paint &from…"),
+                          tr("Bring paint over from another mesh, whatever its faces"));
+    connect(m_transferFrom, &QAction::triggered, this, &ExchangeActions::askToTransfer);
     makeDifferences(frames);
+    makeTransfer();
     connect(&m_work.document, &Document::opened, this, &ExchangeActions::enable);
     enable();
 }
 
 void ExchangeActions::fillMenu(QMenu& menu)
 {
+    menu.addAction(m_transferFrom);
     menu.addAction(m_compare);
 }
 
 void ExchangeActions::enable()
 {
     m_compare->setEnabled(m_work.document.isOpen());
+    m_transferFrom->setEnabled(m_work.document.isOpen());
 }
 
 /// Out of the way until wanted.
@@ -92,6 +100,39 @@ void ExchangeActions::askToCompare()
         m_work.settings.setView(view);
         m_differences->compare(path, matches);
     });
+    dialog->open();
+}
+
+void ExchangeActions::makeTransfer()
+{
+    m_transfer = new PaintTransfer(m_work.document, m_work.jobs, this);
+    connect(m_transfer, &PaintTransfer::failed, &m_work.messages, &MessageBar::showError);
+    connect(m_transfer, &PaintTransfer::transferred, this, [this](const QString& sentence) {
+        m_work.messages.showMessage(MessageBar::Kind::Note,
+                                    sentence,
+                                    {tr("&Undo"), [this] { m_work.document.undoStack().undo(); }});
+    });
+}
+
+void ExchangeActions::askToTransfer()
+{
+    const auto selected = m_work.selection.faces();
+    auto* dialog = new TransferDialog({m_work.document.snapshot(),
+                                       {selected.begin(), selected.end()},
+                                       m_work.document.fillTexel()},
+                                      m_transferPath,
+                                      &m_work.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog,
+            &TransferDialog::transferWanted,
+            this,
+            [this](const std::shared_ptr<const Project>& from,
+                   const QString& path,
+                   const TransferOptions& options) {
+                m_transferPath = path;
+                rememberFolderOf(path);
+                m_transfer->begin(from, path, options);
+            });
     dialog->open();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 #include "ui/window/workspace.h"
 
@@ -12,6 +13,7 @@ class QMenu;
 namespace trixel::ui {
 
 class DifferencePanel;
+class PaintTransfer;
 class PanelFrames;
 
 /// What the open project has to do with other files: the commands of the File menu, and the panel
@@ -30,11 +32,16 @@ private:
     void makeDifferences(const PanelFrames& frames);
     void enable();
     void askToCompare();
+    void makeTransfer();
+    void askToTransfer();
 
     Workspace m_work;
     DifferencePanel* m_differences = nullptr;
     QDockWidget* m_differenceDock = nullptr;
     QAction* m_compare = nullptr;
+    QAction* m_transferFrom = nullptr;
+    PaintTransfer* m_transfer = nullptr;
+    QString m_transferPath; ///< the file that paint came from last
 };
 
 } // namespace trixel::ui

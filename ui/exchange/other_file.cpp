@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "core/io/ptx_reader.h"
+#include "ui/document/project_files.h"
 
 #include <utility>
 
@@ -66,6 +67,22 @@ QString sentenceOf(const Error& error, const QString& path)
     QString sentence = QString::fromStdString(error.message);
     sentence.replace(path, QFileInfo(path).fileName());
     return sentence.endsWith('.') ? sentence : sentence + '.';
+}
+
+Result<std::shared_ptr<const Project>> openPainted(const QString& path, Progress& progress)
+{
+    const FileKind kind = fileKindOf(path);
+    if (kind != FileKind::Project && kind != FileKind::Ptx) {
+        return contentsError(QObject::tr("%1: expected a project or a .ptx that carries its mesh")
+                                 .arg(path)
+                                 .toStdString());
+    }
+    auto project = kind == FileKind::Project ? openProject(toPath(path), progress)
+                                             : openPtx(toPath(path), progress);
+    if (!project) {
+        return tl::unexpected(project.error());
+    }
+    return std::make_shared<const Project>(std::move(*project));
 }
 
 Result<OtherFile> lookAtOther(const std::filesystem::path& path,

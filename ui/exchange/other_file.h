@@ -20,6 +20,9 @@ std::filesystem::path toPath(const QString& path);
 /// An error as the window says it: the file without its folders, a full stop at the end.
 QString sentenceOf(const Error& error, const QString& path);
 
+/// Opens a project, or a .ptx that carries its mesh.
+Result<std::shared_ptr<const Project>> openPainted(const QString& path, Progress& progress);
+
 /// What a look at the file's structure tells.
 struct OtherFile
 {

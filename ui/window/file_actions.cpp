@@ -113,6 +113,17 @@ void FileActions::listen()
     connect(&m_files, &ProjectFiles::savingChanged, this, &FileActions::enable);
     connect(&m_files, &ProjectFiles::meshOpened, this, &FileActions::tellOfMesh);
     connect(&m_files,
+            &ProjectFiles::matchWanted,
+            this,
+            [this](const QString& ptx, const QString& mesh, const QString& sentence) {
+                m_messages.showMessage(
+                    MessageBar::Kind::Note, sentence, {tr("&Match Faces"), [this, ptx, mesh] {
+                                                           withoutLoss([this, ptx, mesh] {
+                                                               m_files.openPtxMatchedOn(ptx, mesh);
+                                                           });
+                                                       }});
+            });
+    connect(&m_files,
             &ProjectFiles::meshWanted,
             this,
             [this](const QString& ptxPath, const QString& sentence) {

@@ -25,6 +25,7 @@ private slots:
     void init()
     {
         openWindow();
+        m_window->resize(900, 600);
         openPainted();
     }
     void cleanup() { closeWindow(); }
