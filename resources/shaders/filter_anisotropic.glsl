@@ -14,7 +14,7 @@ uniform int probesAside; // at most, of one side
 const int kMostHops = 24;
 // Where the sum over places of texels gives way to probes: about how many faces it reaches, and how
 // much longer than wide the footprint is.
-const vec2 kFewFaces = vec2(20.0, 28.0);
+const vec2 kFewFaces = vec2(11.5, 15.0);
 const vec2 kNotThin = vec2(6.0, 9.0);
 const float kByEdge = 0.35; // pixels
 

@@ -13,7 +13,7 @@ uniform samplerBuffer faceTexels;
 uniform mat4 view;
 
 const uint kBorder = 0xffffffffu;
-const int kMostReached = 48; // faces
+const int kMostReached = 32; // faces
 const float kCut = 3.0;      // where the Gaussian ends, in sigmas
 // Amid larger texels it ends where the nearest has been reached for sure, in edges of these.
 const float kNearest = 0.8;
@@ -99,15 +99,16 @@ Samples samplesOf(Footprint footprint, int face, float edge2)
 }
 
 // \param a, b, c  the face's corners from the pixel's point
-// \return whether the footprint reaches it
-bool addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 sum, inout float weights)
+// \return which of its edges the footprint goes on beyond, as bits; negative where it does not reach
+//         the face
+int addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 sum, inout float weights)
 {
     vec3 e1 = b - a;
     vec3 e2 = c - a;
     vec3 normal = cross(e1, e2);
     float twice2 = dot(normal, normal);
     if (twice2 < 1e-30) {
-        return false;
+        return dot(a, a) < kCut * kCut * footprint.major * footprint.major ? 7 : -1;
     }
     float twice = sqrt(twice2);
     float edge2 = 1.1547005 * twice; // of an equilateral face as large
@@ -141,9 +142,11 @@ bool addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
         reach = cut * footprint.major / twice * vec3(length(e2), length(e1), length(e2 - e1));
         left = cut2;
     }
-    if (left < 0.0 || any(lessThan(vec3(at, 1.0 - at.x - at.y), -reach))) {
-        return false;
+    vec3 inside = vec3(at, 1.0 - at.x - at.y);
+    if (left < 0.0 || any(lessThan(inside, -reach))) {
+        return -1;
     }
+    ivec3 beyond = ivec3(lessThan(inside, reach)); // where u is 0, v, w
     uu /= r * r;
     uv2 /= r * r;
     vv /= r * r;
@@ -196,7 +199,7 @@ bool addFace(Footprint footprint, int face, vec3 a, vec3 b, vec3 c, inout vec4 s
             }
         }
     }
-    return true;
+    return beyond.y | beyond.z << 1 | beyond.x << 2;
 }
 
 // A mesh vertex from the pixel's point, which lies `there` from the place that `from` names: of
@@ -214,48 +217,51 @@ vec4 texelsAbout(Footprint footprint, float pixel, out bool isWhole)
     isWhole = false;
     uvec3 triangle = texelFetch(triangles, faceNumber).xyz;
     vec3 from = texelFetch(positions, int(triangle.x)).xyz;
-    vec3 there = uv.x * seen(triangle.y, from, pixel, vec3(0.0)) +
-                 uv.y * seen(triangle.z, from, pixel, vec3(0.0));
-    int reached[kMostReached];
-    reached[0] = faceNumber;
-    int count = 1;
+    vec3 e1 = seen(triangle.y, from, pixel, vec3(0.0));
+    vec3 e2 = seen(triangle.z, from, pixel, vec3(0.0));
+    vec3 there = uv.x * e1 + uv.y * e2;
+    int reached[kMostReached]; // and the edges to go on across
+    int count = 0;
     vec4 sum = vec4(0.0);
     float weights = 0.0;
+    int first = addFace(footprint, faceNumber, -there, e1 - there, e2 - there, sum, weights);
+    reached[count++] = faceNumber << 3 | (first < 0 ? 7 : first);
     for (int n = 0; n < count; ++n) {
-        int face = reached[n];
+        int face = reached[n] >> 3;
+        int edges = reached[n] & 7;
         uvec3 own = texelFetch(triangles, face).xyz;
         vec3 corners[3] = vec3[3](seen(own.x, from, pixel, there),
                                   seen(own.y, from, pixel, there),
                                   seen(own.z, from, pixel, there));
-        if (n == 0) {
-            addFace(footprint, face, corners[0], corners[1], corners[2], sum, weights);
-        }
         for (int k = 0; k < 3; ++k) {
+            if ((edges >> k & 1) == 0) {
+                continue;
+            }
             uint next = texelFetch(across, 3 * face + k).x;
             int other = int(next >> 2);
             bool isKnown = next == kBorder;
             for (int m = 0; m < count && !isKnown; ++m) {
-                isKnown = reached[m] == other;
+                isKnown = reached[m] >> 3 == other;
             }
             if (isKnown) {
                 continue;
             }
             int edge = int(next & 3u);
-            vec3 apex =
-                seen(texelFetch(triangles, other)[(edge + 2) % 3], from, pixel, there);
-            vec3 start = corners[(k + 1) % 3]; // of the edge as they go about it
+            vec3 apex = seen(texelFetch(triangles, other)[(edge + 2) % 3], from, pixel, there);
+            vec3 start = corners[(k + 1) % 3]; // of the edge as the other face goes about it
             vec3 end = corners[k];
-            if (addFace(footprint,
-                        other,
-                        edge == 0 ? start : edge == 1 ? apex : end,
-                        edge == 0 ? end : edge == 1 ? start : apex,
-                        edge == 0 ? apex : edge == 1 ? end : start,
-                        sum,
-                        weights)) {
+            int beyond = addFace(footprint,
+                                 other,
+                                 edge == 0 ? start : edge == 1 ? apex : end,
+                                 edge == 0 ? end : edge == 1 ? start : apex,
+                                 edge == 0 ? apex : edge == 1 ? end : start,
+                                 sum,
+                                 weights);
+            if (beyond >= 0) {
                 if (count == kMostReached) {
                     return vec4(0.0);
                 }
-                reached[count++] = other;
+                reached[count++] = other << 3 | (beyond & ~(1 << edge));
             }
         }
     }
