@@ -3,6 +3,7 @@
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
+#include "core/io/channel_colors.h"
 #include "core/resample/transfer_paint.h"
 
 #include <CLI/CLI.hpp>
@@ -44,19 +45,9 @@ Result<TransferOptions> optionsOf(const Arguments& arguments)
     return options;
 }
 
-Result<FilterScene>
-paintOf(const Project& project, const TransferOptions& options, Progress& progress)
-{
-    return FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
-                                  project.surface->mesh(), project.surface->adjacency())),
-                              project.texels,
-                              options.threads,
-                              progress);
-}
-
 Result<Outcome> transfer(const Arguments& arguments, Progress& progress)
 {
-    const auto options = optionsOf(arguments);
+    auto options = optionsOf(arguments);
     const Status ending = expectEnding(arguments.output, FileKind::Project);
     if (!options || !ending) {
         return tl::unexpected(options ? ending.error() : options.error());
@@ -72,7 +63,11 @@ Result<Outcome> transfer(const Arguments& arguments, Progress& progress)
         return tl::unexpected(to.error());
     }
     StageProgress preparing(progress, 0.3, 0.5);
-    const auto paint = paintOf(*from, *options, preparing);
+    const TransferColors colors = transferColors(
+        channelColors(*from), from->texels.format(), channelColors(*to), to->texels.format());
+    options->colors = colors.texels;
+    const auto paint =
+        transferScene(*from->surface, from->texels, colors.paint, options->threads, preparing);
     if (!paint) {
         return prefixed(arguments.from, paint.error());
     }

@@ -2,6 +2,7 @@
 #include "core/resample/transfer_paint.h"
 
 #include "core/mesh/face_pieces.h"
+#include "core/resample/uv_image.h"
 
 #include <algorithm>
 #include <atomic>
@@ -137,7 +138,9 @@ private:
         for (std::size_t k = 0; k < indices.size(); ++k) {
             decode(format.type, taking.before.texel(indices[k]), value);
             for (std::size_t c = 0; c < channels; ++c) {
-                value[c] = answers.values[c * indices.size() + k];
+                const float paint = answers.values[c * indices.size() + k];
+                value[c] =
+                    m_options.colors.empty() ? paint : fromLinear(m_options.colors[c], paint);
             }
             encode(format.type, value, taking.bytes.subspan(indices[k] * bytes, bytes));
         }
@@ -232,6 +235,40 @@ Status bringSome(const Transferrer& transferrer,
 
 } // namespace
 
+TransferColors transferColors(const std::optional<std::vector<ColorSpace>>& paint,
+                              const TexelFormat& paintFormat,
+                              const std::optional<std::vector<ColorSpace>>& texels,
+                              const TexelFormat& texelFormat)
+{
+    if (!paint && !texels) {
+        return {};
+    }
+    TransferColors colors{paint ? *paint : *texels, texels ? *texels : *paint};
+    // Channels that the other side lacks are not brought over.
+    colors.paint.resize(paintFormat.channels, ColorSpace::Raw);
+    colors.texels.resize(texelFormat.channels, ColorSpace::Raw);
+    return colors;
+}
+
+Result<FilterScene> transferScene(const Surface& from,
+                                  const TexelStore& texels,
+                                  const std::vector<ColorSpace>& colors,
+                                  Threads threads,
+                                  Progress& progress)
+{
+    StageProgress converting(progress, 0, 0.3);
+    const auto linear = linearStore(texels, colors, threads, converting);
+    if (!linear) {
+        return tl::unexpected(linear.error());
+    }
+    StageProgress building(progress, 0.3, 1);
+    return FilterScene::build(std::make_shared<const FilterSurface>(
+                                  FilterSurface::fromMesh(from.mesh(), from.adjacency())),
+                              *linear,
+                              threads,
+                              building);
+}
+
 std::vector<float> sampleDistances(const Surface& from,
                                    const Surface& to,
                                    const TexelStore& texels,
@@ -279,6 +316,8 @@ Result<Transfer> transferPaint(const Surface& from,
     check(options.outOfReach == OutOfReach::Keep ||
               options.fill.size() == texels.format().texelBytes(),
           "the bytes of one texel");
+    check(options.colors.empty() || options.colors.size() == texels.format().channels,
+          "a colour space for each channel");
     const Transferrer transferrer(from, paint, to, texels, options);
     const std::vector<FaceId> faces = facesOf(options, texels.faceCount());
     Transfer transfer{texels, 0, texelCountOf(texels, faces)};

@@ -5,11 +5,13 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/filter/filter_method.h"
+#include "core/image/color_space.h"
 #include "core/mesh/surface.h"
 #include "core/texture/texel_store.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,9 @@ struct TransferOptions
     OutOfReach outOfReach = OutOfReach::Keep;
     /// For Fill: the bytes of one texel in the format of those that take paint (checked).
     std::vector<std::byte> fill = {};
+    /// What the channels of the texels that take paint mean, one each: the paint is linear light
+    /// then, and stored as that. Empty: its numbers pass as they are.
+    std::vector<ColorSpace> colors = {};
     /// Faces that take paint, any order; empty for all. Others stay as they are.
     std::vector<FaceId> faces = {};
     Threads threads = Threads::all();
@@ -42,12 +47,38 @@ struct Transfer
     std::uint64_t total = 0;   ///< that looked for it
 };
 
+/// What the channels of both sides of a transfer mean.
+struct TransferColors
+{
+    std::vector<ColorSpace> paint;  ///< for `transferScene`
+    std::vector<ColorSpace> texels; ///< for `TransferOptions::colors`
+};
+
+/// As both sides say. Where one does not, its numbers are taken for what the other's are; where
+/// neither does, both are empty: numbers pass as they are.
+/// \param paint, texels  what each says (`channelColors`)
+TransferColors transferColors(const std::optional<std::vector<ColorSpace>>& paint,
+                              const TexelFormat& paintFormat,
+                              const std::optional<std::vector<ColorSpace>>& texels,
+                              const TexelFormat& texelFormat);
+
+/// The paint of a surface as linear light, to be averaged as that.
+/// \param colors  what its channels mean, one each (checked); empty: as they are
+/// Fails when cancelled, and when a face cannot be read.
+Result<FilterScene> transferScene(const Surface& from,
+                                  const TexelStore& texels,
+                                  const std::vector<ColorSpace>& colors,
+                                  Threads threads,
+                                  Progress& progress);
+
 /// Brings paint from one surface to another, whatever their faces: every texel takes the value at
 /// the point of `from` that is nearest to its centroid, averaged over its own footprint laid flat
 /// there. Texels that find none within the distance keep what they hold, or take a value; channels
 /// that the paint does not have keep theirs. Faces keep their levels; those that end up of one
-/// value are constant. \param paint   on `from` (checked) \param texels  of `to` (checked) Fails
-/// when cancelled, and when a face cannot be read.
+/// value are constant.
+/// \param paint   on `from` (checked)
+/// \param texels  of `to` (checked)
+/// Fails when cancelled, when memory runs out, and when a face cannot be read.
 Result<Transfer> transferPaint(const Surface& from,
                                const FilterScene& paint,
                                const Surface& to,

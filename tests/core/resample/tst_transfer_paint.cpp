@@ -232,6 +232,58 @@ TEST(TransferPaint, givesUpWhenCancelled)
     }
 }
 
+/// Checks of which half are lit, under large texels.
+TEST(TransferPaint, paintIsAveragedAsLightAndStoredAsTheTexelsMean)
+{
+    const Painted from(gridMesh(8), Level(4), checkerContent(1.0 / 64));
+    const Painted to(gridMesh(2), Level(1), constantContent(0));
+    const auto brought = [&](std::optional<std::vector<ColorSpace>> paint,
+                             std::optional<std::vector<ColorSpace>> texels) {
+        NoProgress progress;
+        const TransferColors colors =
+            transferColors(paint, from.texels.format(), texels, to.texels.format());
+        const auto scene =
+            transferScene(*from.surface, from.texels, colors.paint, Threads{2}, progress);
+        TransferOptions options = within(1);
+        options.colors = colors.texels;
+        const auto transfer =
+            transferPaint(*from.surface, *scene, *to.surface, to.texels, options, progress);
+        double sum = 0;
+        for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+            for (std::uint32_t k = 0; k < 4; ++k) {
+                sum += valueAt(transfer->texels, faceId(f), k) / (4 * to.texels.faceCount());
+            }
+        }
+        return sum;
+    };
+    using Colors = std::vector<ColorSpace>;
+    const Colors sRgb = {ColorSpace::SRgb};
+    const Colors linear = {ColorSpace::Linear};
+    const double half = double(fromLinear(ColorSpace::SRgb, 0.5F));
+    EXPECT_NEAR(brought(sRgb, sRgb), half, 0.02); // not 0.5
+    EXPECT_NEAR(brought(sRgb, linear), 0.5, 0.02);
+    EXPECT_NEAR(brought(linear, sRgb), half, 0.02);
+    EXPECT_NEAR(brought(sRgb, {}), half, 0.02); // as the other's
+    EXPECT_NEAR(brought({}, linear), 0.5, 0.02);
+    EXPECT_NEAR(brought({}, {}), 0.5, 0.02);
+}
+
+TEST(TransferPaint, channelsThatOneSideLacksAreRaw)
+{
+    using enum ColorSpace;
+    const std::vector<ColorSpace> three = {SRgb, SRgb, Linear};
+    const TexelFormat two{TexelType::UInt8, 2, std::nullopt};
+    const TexelFormat four{TexelType::UInt8, 4, 3};
+    const TransferColors colors =
+        transferColors(std::nullopt, four, three, {TexelType::UInt8, 3, std::nullopt});
+    EXPECT_EQ(colors.paint, (std::vector{SRgb, SRgb, Linear, Raw}));
+    EXPECT_EQ(colors.texels, three);
+    const TransferColors fewer =
+        transferColors(three, {TexelType::UInt8, 3, std::nullopt}, std::nullopt, two);
+    EXPECT_EQ(fewer.texels, (std::vector{SRgb, SRgb}));
+    EXPECT_TRUE(transferColors({}, two, {}, four).paint.empty());
+}
+
 TEST(TransferPaint, twoLargeFacesAreLeftSoonAfterItWasCancelled)
 {
     const Painted from(gridMesh(1), Level(1), noiseContent(2));
