@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 
+#include "core/io/channel_colors.h"
 #include "ui/dialogs/format_choice.h"
 #include "ui/exchange/other_file.h"
 
@@ -13,15 +14,14 @@ namespace trixel::ui {
 namespace {
 
 Result<Transfer>
-transfer(const Project& from, const Project& to, const TransferOptions& options, Progress& progress)
+transfer(const Project& from, const Project& to, TransferOptions options, Progress& progress)
 {
+    TransferColors colors = transferColors(
+        channelColors(from), from.texels.format(), channelColors(to), to.texels.format());
+    options.colors = std::move(colors.texels);
     StageProgress preparing(progress, 0, 0.3);
     const auto paint =
-        FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
-                               from.surface->mesh(), from.surface->adjacency())),
-                           from.texels,
-                           options.threads,
-                           preparing);
+        transferScene(*from.surface, from.texels, colors.paint, options.threads, preparing);
     if (!paint) {
         return tl::unexpected(paint.error());
     }
