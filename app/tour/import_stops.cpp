@@ -7,7 +7,10 @@
 
 #include "app/tour/stops.h"
 #include "ui/import/corner_handle.h"
+#include "ui/import/distortion_view.h"
+#include "ui/import/import_look.h"
 #include "ui/import/import_panel.h"
+#include "ui/viewport/map_legend.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
 
@@ -81,6 +84,31 @@ Status Stops::draggedCorner(const QString& name, QPoint by)
     return expect((*found)->place() != before, "a dragged corner moves");
 }
 
+/// How a sphere stretches the image, over the surface.
+Status Stops::distortedImage(ui::ImportPanel& panel, QComboBox& kinds)
+{
+    chooseEntry(m_input, kinds, "Sphere");
+    if (Status pressed = press(panel, "Show the distortion of the image"); !pressed) {
+        return pressed;
+    }
+    const ui::DistortionView& view = panel.look().distortion();
+    const bool shown = m_input.waitFor(
+        [&] {
+            return view.isShown() && !view.shown()->mapping.projection && panel.picture() &&
+                   panel.picture()->isComplete;
+        },
+        kPatienceMs);
+    m_input.hover(m_view, inView(0.45, 0.45));
+    if (Status done = expect(shown && m_window.viewport().hasFaceColors() &&
+                                 view.legend().state().contains("texels a pixel"),
+                             "the distortion of a sphere's image is mapped");
+        !done) {
+        return done;
+    }
+    const Status taken = picture("import-distortion");
+    return taken ? press(panel, "Show the texels with the image") : taken;
+}
+
 Status Stops::importedImage()
 {
     const std::filesystem::path file = m_folder / "poster.png";
@@ -118,6 +146,10 @@ Status Stops::importedImage()
     if (Status taken = picture("import-image"); !taken) {
         return taken;
     }
+    if (Status distorted = distortedImage(*panel, *kinds); !distorted) {
+        return distorted;
+    }
+    chooseEntry(m_input, *kinds, "Camera");
     if (Status pressed = press(*panel, "Apply the import"); !pressed) {
         return pressed;
     }

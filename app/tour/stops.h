@@ -11,6 +11,12 @@
 #include <filesystem>
 #include <string>
 
+class QComboBox;
+
+namespace trixel::ui {
+class ImportPanel;
+}
+
 namespace trixel::app {
 
 /// The stops of the tour, in order. Each uses the window, checks that the window did what it
@@ -60,6 +66,7 @@ private:
     /// Opens the dialog and asks for a file of that name; pictures it once its size is said.
     Status askForExport(const std::string& file, const std::string& pictureName);
     Status copiedPicture();
+    Status distortedImage(ui::ImportPanel& panel, QComboBox& kinds);
     /// Drags the corner of an image that a screen reader calls by that name.
     Status draggedCorner(const QString& name, QPoint by);
     /// Runs the command that the palette lists first for the words.

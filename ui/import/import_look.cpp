@@ -20,27 +20,35 @@ ImportLook::ImportLook(Viewport& viewport, ViewSettings& settings, QWidget* pare
     , m_distortion(new DistortionView(viewport, this))
     , m_measure(new QComboBox)
 {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    m_before = addChoice(tr("&Before"),
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    column->addLayout(row);
+    m_before = addChoice(*row,
+                         tr("&Before"),
                          tr("Show the texels as they are"),
                          tr("The texels as they are, without the image"));
-    m_after = addChoice(tr("Af&ter"),
+    m_after = addChoice(*row,
+                        tr("Af&ter"),
                         tr("Show the texels with the image"),
                         tr("The texels as they would be; nothing is changed yet"));
-    m_distorted = addChoice(tr("&Distortion"),
+    m_distorted = addChoice(*row,
+                            tr("&Distortion"),
                             tr("Show the distortion of the image"),
                             tr("How the mapping stretches the image, as colours over the surface"));
-    m_measure->addItem(tr("Density"), static_cast<int>(DistortionMeasure::TexelsPerPixel));
-    m_measure->addItem(tr("Stretch"), static_cast<int>(DistortionMeasure::Stretch));
+    m_measure->addItem(tr("Density: texels a pixel of the image"),
+                       static_cast<int>(DistortionMeasure::TexelsPerPixel));
+    m_measure->addItem(tr("Stretch: length of pixels by width"),
+                       static_cast<int>(DistortionMeasure::Stretch));
     m_measure->setAccessibleName(tr("Measure of the distortion"));
     m_measure->setToolTip(tr("Density: how many texels there are for a pixel of the image, along a "
                              "side. Stretch: how many times longer than wide pixels are drawn"));
     m_measure->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    row->addWidget(m_measure, 1);
+    row->addStretch(1);
+    column->addWidget(m_measure);
     m_after->setChecked(true);
-    m_measure->setEnabled(false);
+    m_measure->hide();
     for (QRadioButton* choice : {m_before, m_after, m_distorted}) {
         connect(choice, &QRadioButton::toggled, this, [this](bool chosen) {
             if (chosen) {
@@ -56,13 +64,15 @@ ImportLook::ImportLook(Viewport& viewport, ViewSettings& settings, QWidget* pare
     });
 }
 
-QRadioButton*
-ImportLook::addChoice(const QString& text, const QString& name, const QString& toolTip)
+QRadioButton* ImportLook::addChoice(QBoxLayout& row,
+                                    const QString& text,
+                                    const QString& name,
+                                    const QString& toolTip)
 {
     auto* choice = new QRadioButton(text);
     choice->setAccessibleName(name);
     choice->setToolTip(toolTip);
-    layout()->addWidget(choice);
+    row.addWidget(choice);
     return choice;
 }
 
@@ -94,7 +104,7 @@ DistortionMeasure ImportLook::measure() const
 /// What another panel shows in the texels' place is left alone.
 void ImportLook::show()
 {
-    m_measure->setEnabled(m_distorted->isChecked());
+    m_measure->setVisible(m_distorted->isChecked());
     if (m_isOn && m_picture && m_after->isChecked()) {
         m_viewport.showOtherTexels(m_picture->texels);
         m_isShown = true;

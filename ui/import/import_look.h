@@ -8,6 +8,7 @@
 
 #include <memory>
 
+class QBoxLayout;
 class QComboBox;
 class QRadioButton;
 
@@ -36,7 +37,8 @@ public:
     void setOn(bool on);
 
 private:
-    QRadioButton* addChoice(const QString& text, const QString& name, const QString& toolTip);
+    QRadioButton*
+    addChoice(QBoxLayout& row, const QString& text, const QString& name, const QString& toolTip);
     void show();
     void showDistortion();
     DistortionMeasure measure() const;

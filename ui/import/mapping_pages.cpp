@@ -131,6 +131,9 @@ void PlanePage::makeSize(QFormLayout& form)
     m_height->setAccessibleName(tr("Height of the plane"));
     m_height->setToolTip(tr("How high the image is, in units of the mesh"));
     sizes->setFocusProxy(m_width);
+    for (QDoubleSpinBox* field : {m_width, m_height}) {
+        field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    }
     m_keepsAspect->setChecked(true);
     m_keepsAspect->setAccessibleName(tr("Keep the image’s proportions"));
     m_keepsAspect->setToolTip(tr("The height follows the width, so that pixels stay square"));

@@ -17,6 +17,9 @@ PointRow::PointRow(const QString& name, const QString& toolTip, QWidget* parent)
     constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
     for (std::size_t k = 0; k < 3; ++k) {
         m_fields[k] = new ValueSpin;
+        // Three in a narrow panel: the arrow keys step all the same.
+        m_fields[k]->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        m_fields[k]->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
         m_fields[k]->setAccessibleName(QString("%1, %2").arg(name, QChar(kAxes[k])));
         m_fields[k]->setToolTip(QString("%1: %2").arg(toolTip, QChar(kAxes[k])));
         row->addWidget(m_fields[k], 1);

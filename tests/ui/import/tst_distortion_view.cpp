@@ -51,6 +51,32 @@ private slots:
                  qPrintable(distortion().legend().title()));
     }
 
+    void coloursOfCornersBlendOverAFace()
+    {
+        m_window->viewport().lookFrom(0, 0);
+        std::vector<std::uint32_t> colors(3 * document().texels().faceCount(), 0xff000000U);
+        const std::uint32_t face = 72; // near the middle
+        colors[3 * face] = 0xff0000c8U;
+        colors[3 * face + 1] = 0xff00c800U;
+        colors[3 * face + 2] = 0xffc80000U;
+        m_window->viewport().setFaceColors(colors);
+        m_window->viewport().settle();
+        const QImage image = m_window->viewport().grabFramebuffer();
+        const auto triangle = document().surface()->mesh().corners(faceId(face));
+        for (const glm::vec2 uv : {glm::vec2(0.2F, 0.2F), {0.6F, 0.2F}, {0.2F, 0.6F}}) {
+            const auto at = m_window->viewport().widgetPosition(
+                {faceId(face), uv, pointAt(triangle, uv.x, uv.y)});
+            QVERIFY(at);
+            const QColor seen = image.pixelColor(at->toPoint());
+            const QColor blend(
+                int(200 * (1 - uv.x - uv.y)), int(200 * uv.x), int(200 * uv.y)); // red at V0
+            QVERIFY2(std::abs(seen.red() - blend.red()) < 8 &&
+                         std::abs(seen.green() - blend.green()) < 8 &&
+                         std::abs(seen.blue() - blend.blue()) < 8,
+                     qPrintable(seen.name() + " " + blend.name()));
+        }
+    }
+
     void theNumberUnderThePointerIsSaid()
     {
         openPanelWith("Plane");
