@@ -399,6 +399,17 @@ TEST(FacesInReachTest, leavesOutWhatTheBakeLeavesOut)
     }
 }
 
+TEST(FacesInReachTest, keepsFacesThatBeginBehindTheEye)
+{
+    const TriangleMesh mesh = test::gridMesh(1);
+    const TexelStore store = storeOf(2, {TexelType::Float, 3, std::nullopt}, 0, 0);
+    const Projection camera =
+        cameraProjection(glm::perspective(1.0, 1.0, 0.1, 10.0) *
+                         glm::lookAt(glm::dvec3(0.5, 0.5, 0.3), glm::dvec3(0.5, 1, 0), {0, 0, 1}))
+            .value();
+    EXPECT_EQ(facesInReach(camera, mesh, allFaces(store), Threads{1}).size(), 2U);
+}
+
 TEST(FacesInReachTest, leavesOutFacesThatTurnTheirBack)
 {
     const TriangleMesh mesh = test::gridMesh(4);
