@@ -533,14 +533,14 @@ TEST(DisplayTexels, whatIsTouchedWhileBasesComeIsSentAfterThem)
     Card card;
     std::mt19937 random(3);
     display.open(display.opener()(store));
-    while (display.isOpening()) {
-        card.apply(display, display.takeReady(store, kAll));
-        for (const std::uint32_t f : {0U, 70'000U, 149'999U}) {
+    for (std::uint32_t part = 0; display.isOpening(); ++part) {
+        for (const std::uint32_t f : {part, 70'000 + part, 149'990 + part}) {
             const bool isWhole = store.face(faceId(f)).isConstant();
             paint(store, faceId(f), random);
             const TouchedRect rect{faceId(f), 0, 0, 2, 2, isWhole};
             display.touch(store, {{rect}});
         }
+        card.apply(display, display.takeReady(store, kAll));
     }
     while (display.hasWork()) {
         card.apply(display, display.take(store, kAll));
