@@ -17,30 +17,30 @@ namespace {
 
 constexpr std::size_t kAll = ~std::size_t{0};
 
-/// A framebuffer of floats, bound while it lives.
-class FloatTarget
+/// A framebuffer, bound while it lives.
+class Target
 {
 public:
-    FloatTarget(Gl& gl, glm::ivec2 size)
+    Target(Gl& gl, glm::ivec2 size, GLenum format)
         : m_gl(gl)
     {
         m_gl.glGetIntegerv(GL_FRAMEBUFFER_BINDING, &m_before);
         m_gl.glGenFramebuffers(1, &m_framebuffer);
         m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
         m_gl.glGenRenderbuffers(2, m_buffers.data());
-        attach(m_buffers[0], GL_RGBA32F, GL_COLOR_ATTACHMENT0, size);
+        attach(m_buffers[0], format, GL_COLOR_ATTACHMENT0, size);
         attach(m_buffers[1], GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT, size);
         check(m_gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
-              "a framebuffer of floats, which OpenGL 4.1 has");
+              "a framebuffer of bytes or floats, which OpenGL 4.1 has");
     }
-    ~FloatTarget()
+    ~Target()
     {
         m_gl.glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_before));
         m_gl.glDeleteFramebuffers(1, &m_framebuffer);
         m_gl.glDeleteRenderbuffers(2, m_buffers.data());
     }
-    FloatTarget(const FloatTarget&) = delete;
-    FloatTarget& operator=(const FloatTarget&) = delete;
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
 
 private:
     void attach(GLuint buffer, GLenum format, GLenum place, glm::ivec2 size)
@@ -61,7 +61,7 @@ private:
 DrawnPicture drawNumbers(Gl& gl, Renderer& renderer, const Scene& scene)
 {
     const glm::ivec2 size = scene.camera.viewport();
-    const FloatTarget target(gl, size);
+    const Target target(gl, size, GL_RGBA32F);
     renderer.draw(scene);
     DrawnPicture picture{size.x, size.y, {}};
     const std::size_t row = 4 * static_cast<std::size_t>(size.x);
@@ -79,6 +79,8 @@ DrawnPicture drawNumbers(Gl& gl, Renderer& renderer, const Scene& scene)
 
 std::optional<double> cardTime(Gl& gl, Renderer& renderer, const Scene& scene, int frames)
 {
+    // What is bound may be as small as a pixel.
+    const Target target(gl, scene.camera.viewport(), GL_RGBA8);
     std::vector<double> times;
     // The renderer has the time of a frame when it begins the next.
     for (int k = 0; k <= frames; ++k) {

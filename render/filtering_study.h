@@ -37,8 +37,8 @@ struct DrawnPicture
 /// filtering must be ready (`prepareFilterings`).
 DrawnPicture drawNumbers(Gl& gl, Renderer& renderer, const Scene& scene);
 
-/// Draws so many frames and waits for each. \return milliseconds of the card's own clock, the
-/// median; nothing where it has none
+/// Draws so many frames of the camera's size and waits for each. \return milliseconds of the card's
+/// own clock, the median; nothing where it has none
 std::optional<double> cardTime(Gl& gl, Renderer& renderer, const Scene& scene, int frames);
 
 /// Sends texels and everything that the ways of filtering need, and waits until all is there.

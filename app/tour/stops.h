@@ -15,6 +15,7 @@ class QComboBox;
 
 namespace trixel::ui {
 class ImportPanel;
+class ChartPanel;
 }
 
 namespace trixel::app {
@@ -42,6 +43,7 @@ public:
     Status exportedTexture();
     Status exportedAtlas();
     Status measuredChart();
+    Status viewOnTheChart();
     Status bookmarkedViews();
     Status conditionMap();
     Status errorMap();
@@ -61,6 +63,8 @@ private:
     Status pictureOf(QWidget& widget, const std::string& name);
     /// Presses the button that a screen reader calls by that name.
     Status press(QWidget& panel, const QString& name);
+    /// Runs the study that is chosen, to its end where that comes soon.
+    Status runStudy(ui::ChartPanel& panel);
     Status lowLevels();
     Status chosenCreases();
     /// Opens the dialog and asks for a file of that name; pictures it once its size is said.

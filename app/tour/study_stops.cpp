@@ -2,6 +2,7 @@
 //
 // The stops at what is measured: speed against accuracy, and stability.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QDockWidget>
 
 #include "app/tour/stops.h"
@@ -75,6 +76,20 @@ Status Stops::press(QWidget& panel, const QString& name)
     return contentsError("tour: there is no button '" + name.toStdString() + "' to press");
 }
 
+Status Stops::runStudy(ui::ChartPanel& panel)
+{
+    if (Status pressed = press(panel, "Run the study"); !pressed) {
+        return pressed;
+    }
+    const auto isDone = [&] { return !panel.run().isRunning(); };
+    if (!m_input.waitFor(isDone, kStudyMs)) {
+        if (Status cancelled = press(panel, "Cancel the study"); !cancelled) {
+            return cancelled;
+        }
+    }
+    return expect(m_input.waitFor(isDone, kPatienceMs), "the study ends");
+}
+
 Status Stops::measuredChart()
 {
     m_window.messages().dismiss();
@@ -84,17 +99,11 @@ Status Stops::measuredChart()
         !shown) {
         return shown;
     }
-    if (Status pressed = press(*panel, "Run the study"); !pressed) {
-        return pressed;
+    if (Status measured = runStudy(*panel); !measured) {
+        return measured;
     }
-    if (!m_input.waitFor([&] { return !panel->run().isRunning(); }, kStudyMs)) {
-        if (Status cancelled = press(*panel, "Cancel the study"); !cancelled) {
-            return cancelled;
-        }
-    }
-    const bool measured = m_input.waitFor([&] { return !panel->run().isRunning(); }, kPatienceMs);
     const auto point = pointInTheMiddle(panel->view());
-    if (Status done = expect(measured && point.has_value(), "the study ends with a front"); !done) {
+    if (Status done = expect(point.has_value(), "the study ends with a front"); !done) {
         return done;
     }
     const QPoint at = panel->view().positionOf(*point).value_or(QPointF()).toPoint();
@@ -108,6 +117,31 @@ Status Stops::measuredChart()
         return taken;
     }
     return ui::writeChart(panel->run().study(), m_folder / "speed-accuracy.svg");
+}
+
+/// After the chart of filters, which has shown the panel.
+Status Stops::viewOnTheChart()
+{
+    auto* panel = m_window.findChild<ui::ChartPanel*>();
+    auto* studies = panel == nullptr ? nullptr : panel->findChild<QComboBox*>();
+    const int view = studies == nullptr ? -1 : studies->findText("View");
+    if (Status found = expect(view >= 0, "the view's ways of drawing can be studied"); !found) {
+        return found;
+    }
+    m_input.press(*studies, Qt::Key_Home);
+    for (int k = 0; k < view; ++k) {
+        m_input.press(*studies, Qt::Key_Down);
+    }
+    if (Status chosen = expect(studies->currentIndex() == view, "arrows choose a study"); !chosen) {
+        return chosen;
+    }
+    if (Status measured = runStudy(*panel); !measured) {
+        return measured;
+    }
+    if (Status taken = picture("view-on-the-chart"); !taken) {
+        return taken;
+    }
+    return ui::writeChart(panel->run().study(), m_folder / "view-filtering.svg");
 }
 
 Status Stops::sweptHazards()
