@@ -55,6 +55,9 @@ public:
     Status seamMeter();
     Status faceTable();
     Status sweptHazards();
+    Status comparedFile();
+    Status transferredPaint();
+    Status bakedOut();
 
 private:
     /// A place in the view by its share of width and height, [0,1] each.

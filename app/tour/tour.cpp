@@ -65,6 +65,12 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
             return done;
         }
     }
+    // Files beside the sample; the last two open other meshes.
+    for (const Stop stop : {&Stops::comparedFile, &Stops::transferredPaint, &Stops::bakedOut}) {
+        if (Status done = (stops.*stop)(); !done) {
+            return done;
+        }
+    }
     return {};
 }
 
