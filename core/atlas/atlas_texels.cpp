@@ -2,6 +2,7 @@
 #include "core/atlas/atlas_texels.h"
 
 #include "core/atlas/unfolded_place.h"
+#include "core/mesh/face_pieces.h"
 #include "core/texture/mips.h"
 
 #include <algorithm>
@@ -71,15 +72,28 @@ AtlasTexels::AtlasTexels(const TexelStore& store, const Adjacency& adjacency)
 
 void AtlasTexels::coarsen(Threads threads)
 {
+    NoProgress progress;
+    const Status done = coarsen(threads, progress);
+    check(done.has_value(), "memory for a coarser level");
+}
+
+Status AtlasTexels::coarsen(Threads threads, Progress& progress)
+{
     check(m_level > Level(), "a level to reduce");
-    parallelFor(m_faces.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            if (m_faces[f].level() == m_level) {
-                m_faces[f] = reduced(m_format, m_faces[f]);
-            }
+    const auto cost = [&](FaceId face) -> std::uint64_t {
+        const FaceTexels& texels = m_faces[indexOf(face)];
+        return texels.level() == m_level && !texels.isConstant() ? m_level.texelCount() : 1;
+    };
+    const Status done = forWholeFaces(m_faces.size(), cost, threads, progress, [&](FaceId face) {
+        FaceTexels& texels = m_faces[indexOf(face)];
+        if (texels.level() == m_level) {
+            texels = reduced(m_format, texels);
         }
     });
-    m_level = m_level.coarser();
+    if (done) {
+        m_level = m_level.coarser();
+    }
+    return done;
 }
 
 void AtlasTexels::replace(FaceId face, FaceTexels texels)

@@ -3,6 +3,8 @@
 
 #include "core/atlas/atlas_layout.h"
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/mesh/adjacency.h"
 #include "core/texture/texel_store.h"
 
@@ -35,6 +37,9 @@ public:
 
     /// Goes to the next coarser level, reducing as `reduced` does. \pre level() > 0 (checked)
     void coarsen(Threads threads);
+    /// The same for long work. Fails when cancelled and when memory runs out; some faces are
+    /// reduced then, others not.
+    Status coarsen(Threads threads, Progress& progress);
 
     /// Takes a face's texels as they are now. \pre of the level that it has here (checked)
     void replace(FaceId face, FaceTexels texels);

@@ -2,6 +2,7 @@
 #include "core/atlas/packed_pages.h"
 
 #include "core/atlas/atlas_texels.h"
+#include "core/mesh/face_pieces.h"
 
 #include <algorithm>
 #include <cstring>
@@ -10,9 +11,6 @@
 namespace trixel {
 
 namespace {
-
-constexpr std::size_t kFacesAtOnce = 4096;
-constexpr std::size_t kGrain = 16;
 
 /// Tiles of the level that the texels are at.
 class LevelTiles
@@ -28,25 +26,32 @@ public:
         }
     }
 
-    /// False when cancelled.
-    bool fill(const AtlasTexels& texels, Threads threads, Progress& progress)
+    /// Fails when cancelled and when memory runs out.
+    Status fill(const AtlasTexels& texels, Threads threads, Progress& progress)
     {
         const Level level = texels.level();
-        const std::uint32_t tiles = m_layout.tileCount(level);
         const std::uint32_t firstRank = m_layout.options().mips ? 0 : m_layout.finerFaces(level);
-        for (std::uint32_t first = 0; first < tiles; first += kFacesAtOnce) {
-            if (!progress.report(static_cast<double>(first) / tiles)) {
-                return false;
-            }
-            const std::size_t some = std::min<std::size_t>(kFacesAtOnce, tiles - first);
-            parallelFor(some, kGrain, threads, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                    fill(texels,
-                         m_layout.faceOfRank(firstRank + first + static_cast<std::uint32_t>(k)));
-                }
+        return forWholeFaces(
+            m_layout.tileCount(level),
+            [&](FaceId) -> std::uint64_t { return level.texelCount(); },
+            threads,
+            progress,
+            [&](FaceId k) {
+                fill(texels,
+                     m_layout.faceOfRank(firstRank + static_cast<std::uint32_t>(indexOf(k))));
             });
+    }
+
+    /// Whether any level coarser than this one has tiles.
+    bool goesOnBelow(Level level) const
+    {
+        while (level > Level()) {
+            level = level.coarser();
+            if (m_layout.tileCount(level) > 0) {
+                return true;
+            }
         }
-        return progress.report(1);
+        return false;
     }
 
 private:
@@ -100,17 +105,22 @@ Result<std::vector<Image>> packedPages(const AtlasLayout& layout,
     AtlasTexels texels(store, adjacency);
     double done = 0;
     while (true) {
-        // Each level has a quarter of the work of the one before.
-        StageProgress stage(
-            progress, done, texels.level() == Level() ? 1 : done + 0.75 * (1 - done));
-        done += 0.75 * (1 - done);
-        if (!tiles.fill(texels, threads, stage)) {
-            return cancelled();
+        // Each level has a quarter of the work of the one before, half of it reducing.
+        const bool isLast = !tiles.goesOnBelow(texels.level());
+        const double end = isLast ? 1 : done + 0.75 * (1 - done);
+        const double middle = isLast ? 1 : 0.5 * (done + end);
+        StageProgress filling(progress, done, middle);
+        StageProgress reducing(progress, middle, end);
+        done = end;
+        if (Status filled = tiles.fill(texels, threads, filling); !filled) {
+            return tl::unexpected(filled.error());
         }
-        if (texels.level() == Level()) {
+        if (isLast) {
             break;
         }
-        texels.coarsen(threads);
+        if (Status reduced = texels.coarsen(threads, reducing); !reduced) {
+            return tl::unexpected(reduced.error());
+        }
     }
     if (const Status whole = store.checkWhole(); !whole) {
         return tl::unexpected(whole.error());
@@ -140,21 +150,20 @@ Result<TexelStore> unpackedFaces(const FaceMap<PackedFace>& faces,
                      format,
                      Level(),
                      std::vector<std::byte>(format.texelBytes()));
-    std::vector<FaceTexels> some;
-    for (std::size_t first = 0; first < faces.size(); first += kFacesAtOnce) {
-        if (!progress.report(static_cast<double>(first) / static_cast<double>(faces.size()))) {
-            return cancelled();
-        }
-        some.assign(std::min(kFacesAtOnce, faces.size() - first), {});
-        parallelFor(some.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const PackedFace& face = faces[faceId(first + k)];
-                some[k] = unpackedFace(face, border, pages[face.place.page]);
-            }
+    std::vector<FaceTexels> made(faces.size());
+    const Status done = forWholeFaces(
+        faces.size(),
+        [&](FaceId face) -> std::uint64_t { return faces[face].level.texelCount(); },
+        threads,
+        progress,
+        [&](FaceId face) {
+            made[indexOf(face)] = unpackedFace(faces[face], border, pages[faces[face].place.page]);
         });
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            store.exchange(faceId(first + k), std::move(some[k]));
-        }
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    for (std::size_t f = 0; f < made.size(); ++f) {
+        store.exchange(faceId(f), std::move(made[f]));
     }
     if (!progress.report(1)) {
         return cancelled();

@@ -18,7 +18,7 @@ namespace trixel {
 /// Every page, in the store's own format. Pixels that no tile takes are 0.
 /// \param layout  of the levels of the store's faces (checked)
 /// \param colors  what the channels mean, one for each (checked)
-/// Fails when cancelled and when a face cannot be read.
+/// Fails when cancelled, when memory runs out, and when a face cannot be read.
 Result<std::vector<Image>> packedPages(const AtlasLayout& layout,
                                        const TexelStore& store,
                                        const Adjacency& adjacency,
@@ -40,7 +40,7 @@ FaceMap<PackedFace> packedFaces(const AtlasLayout& layout);
 
 /// The faces of an atlas: the texels that `packedPages` put there, those of one value constant.
 /// \param pages  all of one format, each tile whole on one of them (checked)
-/// Fails only when cancelled.
+/// Fails when cancelled and when memory runs out.
 Result<TexelStore> unpackedFaces(const FaceMap<PackedFace>& faces,
                                  AtlasBorder border,
                                  std::span<const Image> pages,

@@ -101,6 +101,60 @@ TEST(PackedPages, theAddressFunctionFindsEveryTexelOfEveryLevel)
     }
 }
 
+/// Large faces without mips: as many reports as filling takes, none for levels without tiles.
+TEST(PackedPages, levelsThatNoTileIsOfAreNotMade)
+{
+    const TriangleMesh mesh = turnedGrid(1, 5);
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    ASSERT_EQ(mesh.faceCount(), 2U);
+    TexelStore store(kOneFloat, FaceMap<Level>(2, Level(7)), std::vector<std::byte>(4));
+    (void)store.writable(faceId(0));
+    class Count final : public Progress
+    {
+    public:
+        bool report(double /*fraction*/) override
+        {
+            ++reports;
+            return true;
+        }
+        int reports = 0;
+    };
+    const auto reports = [&](const FaceMap<Level>& levels, bool mips) {
+        Count progress;
+        const AtlasLayout layout = *AtlasLayout::plan(levels, AtlasOptions{.mips = mips});
+        EXPECT_TRUE(packedPages(layout, store, adjacency, {ColorSpace::Raw}, Threads{2}, progress));
+        return progress.reports;
+    };
+    EXPECT_EQ(reports(FaceMap<Level>(2, Level(7)), false), 9); // 2 × 16384 texels, and the start
+    EXPECT_GT(reports(FaceMap<Level>(2, Level(7)), true), 30);
+    // A coarser face needs the finer one's texels at its own level, for its border.
+    FaceMap<Level> mixed(2, Level(7));
+    mixed[faceId(1)] = Level(5);
+    store.exchange(faceId(1), store.face(faceId(1)).atLevel(Level(5)));
+    EXPECT_LT(reports(mixed, false), 20);
+}
+
+/// Reducing is cancelled, too, not only filling.
+TEST(PackedPages, giveUpWhenCancelledWhereverThatIs)
+{
+    const TriangleMesh mesh = turnedGrid(1, 5);
+    const Adjacency adjacency = buildAdjacency(mesh.triangles);
+    TexelStore store(kOneFloat, FaceMap<Level>(2, Level(7)), std::vector<std::byte>(4));
+    (void)store.writable(faceId(0));
+    (void)store.writable(faceId(1));
+    const AtlasLayout layout =
+        *AtlasLayout::plan(FaceMap<Level>(2, Level(7)), AtlasOptions{.mips = true});
+    int reports = 0;
+    for (bool isDone = false; !isDone; ++reports) {
+        CancelAfter progress(reports);
+        const auto pages =
+            packedPages(layout, store, adjacency, {ColorSpace::Raw}, Threads{2}, progress);
+        isDone = pages.has_value();
+        ASSERT_TRUE(isDone || pages.error().kind == ErrorKind::Cancelled);
+    }
+    EXPECT_GT(reports, 8 + 8 + 2 + 2); // both of the two finest levels, at least
+}
+
 TEST(PackedPages, giveUpWhenCancelled)
 {
     const TriangleMesh mesh = turnedGrid(2, 5);
