@@ -115,7 +115,7 @@ Result<BakeImages> readBakeImages(const BakeImageArguments& arguments,
     std::vector<TileImage> images;
     for (std::size_t k = 0; k < files->size(); ++k) {
         const auto part = [&](std::size_t n) {
-            return static_cast<double>(n) / static_cast<double>(files->size());
+            return 0.7 * static_cast<double>(n) / static_cast<double>(files->size());
         };
         StageProgress stage(progress, part(k), part(k + 1));
         auto image = readImage(worker, (*files)[k].path, stage);
@@ -128,9 +128,11 @@ Result<BakeImages> readBakeImages(const BakeImageArguments& arguments,
         }
         images.push_back({(*files)[k].tile, std::move(*image), (*files)[k].path.string()});
     }
-    return ImageTiles::make(std::move(images), *options, threads).map([&](ImageTiles tiles) {
-        return BakeImages{std::move(tiles), arguments.repeats};
-    });
+    StageProgress levels(progress, 0.7, 1);
+    return ImageTiles::make(std::move(images), *options, threads, levels)
+        .map([&](ImageTiles tiles) {
+            return BakeImages{std::move(tiles), arguments.repeats};
+        });
 }
 
 } // namespace trixel::app

@@ -54,13 +54,8 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
           &Stops::falseColours,    &Stops::comparedFilters, &Stops::seamlessTexels,
           &Stops::limitSurface,    &Stops::footprint,       &Stops::seamMeter,
           &Stops::faceTable,       &Stops::newProject,      &Stops::exportedTexture,
-          &Stops::exportedAtlas,   &Stops::measuredChart,   &Stops::sweptHazards}) {
-          &Stops::chosenLevels,    &Stops::fittedLevels,    &Stops::bookmarkedViews,
-          &Stops::conditionMap,    &Stops::errorMap,        &Stops::falseColours,
-          &Stops::comparedFilters, &Stops::seamlessTexels,  &Stops::limitSurface,
-          &Stops::footprint,       &Stops::seamMeter,       &Stops::faceTable,
-          &Stops::newProject,      &Stops::exportedTexture, &Stops::exportedAtlas,
-          &Stops::measuredChart,   &Stops::viewOnTheChart,  &Stops::sweptHazards}) {
+          &Stops::exportedAtlas,   &Stops::measuredChart,   &Stops::viewOnTheChart,
+          &Stops::sweptHazards}) {
         if (Status done = (stops.*stop)(); !done) {
             return done;
         }

@@ -60,10 +60,14 @@ std::uint64_t samplesOf(std::uint64_t intervals)
 } // namespace
 
 Result<HandOffLayout> HandOffLayout::plan(FaceMap<std::uint32_t> intervals,
-                                          const HandOffOptions& options)
+                                          const HandOffOptions& wanted)
 {
     HandOffLayout layout;
-    layout.m_options = options;
+    layout.m_options = wanted;
+    HandOffOptions options = wanted;
+    if (options.powerOfTwo) {
+        options.largestPage = std::bit_floor(options.largestPage);
+    }
     layout.m_places = FaceMap<HandOffPlace>(intervals.size());
     layout.m_intervals = std::move(intervals);
     const std::vector<FaceId> faces = facesBySize(layout.m_intervals);

@@ -15,7 +15,7 @@ struct HandOffOptions
     std::uint32_t samplesPerTexel = 2; ///< intervals along an edge for every texel along it
     std::uint32_t padding = 2;        ///< pixels about every face, for mips and anisotropic filters
     std::uint32_t largestPage = 8192; ///< most pixels of a page along either side
-    bool powerOfTwo = false;          ///< pages of sides that are powers of two
+    bool powerOfTwo = false; ///< pages of sides that are powers of two, none above the largest
 };
 
 /// A triangle in a page.

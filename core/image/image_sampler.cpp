@@ -3,10 +3,14 @@
 
 #include "core/base/check.h"
 #include "core/footprint/limit.h"
+#include "core/mesh/shared_progress.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
+#include <new>
 #include <utility>
 
 namespace trixel {
@@ -28,69 +32,130 @@ std::int64_t wrapped(std::int64_t k, int size, ImageWrap wrap)
     return rest < 0 ? rest + size : rest;
 }
 
+/// Calls work(begin, end) for a few rows at a time. False when cancelled, or when there is no
+/// memory in a thread, where it must not be thrown; it is thrown here then.
+bool forRows(int height,
+             Threads threads,
+             Progress& progress,
+             const std::function<void(std::size_t begin, std::size_t end)>& work)
+{
+    constexpr std::size_t kRows = 8;
+    const auto rows = static_cast<std::size_t>(height);
+    const std::size_t bands = (rows + kRows - 1) / kRows;
+    SharedProgress shared(progress, bands);
+    std::atomic<bool> outOfMemory{false};
+    parallelFor(bands, 1, threads, [&](std::size_t begin, std::size_t end) {
+        try {
+            for (std::size_t band = begin; band < end && shared.goesOn(); ++band) {
+                work(band * kRows, std::min(rows, (band + 1) * kRows));
+                shared.step();
+            }
+        } catch (const std::bad_alloc&) {
+            outOfMemory = true;
+        }
+    });
+    if (outOfMemory) {
+        throw std::bad_alloc();
+    }
+    return shared.goesOn();
+}
+
 } // namespace
+
+ImageSampler::ImageSampler(const std::array<std::uint16_t, 3>& channels,
+                           const SamplerOptions& options)
+    : m_options(options)
+    , m_channels(channels)
+{
+}
 
 ImageSampler::ImageSampler(Image image,
                            const std::array<std::uint16_t, 3>& channels,
                            const SamplerOptions& options,
                            Threads threads)
-    : m_options(options)
-    , m_channels(channels)
+    : ImageSampler(channels, options)
+{
+    NoProgress progress;
+    (void)build(std::move(image), threads, progress);
+}
+
+Result<ImageSampler> ImageSampler::make(Image image,
+                                        const std::array<std::uint16_t, 3>& channels,
+                                        const SamplerOptions& options,
+                                        Threads threads,
+                                        Progress& progress)
+{
+    try {
+        ImageSampler sampler(channels, options);
+        const bool isDone = sampler.build(std::move(image), threads, progress);
+        return isDone ? Result<ImageSampler>(std::move(sampler)) : cancelled();
+    } catch (const std::bad_alloc&) {
+        return contentsError("the image does not fit into memory");
+    }
+}
+
+bool ImageSampler::build(Image image, Threads threads, Progress& progress)
 {
     check(!image.isEmpty(), "an image to look up");
-    for (const std::uint16_t channel : channels) {
+    for (const std::uint16_t channel : m_channels) {
         check(channel < image.format().channels, "a channel of the image");
     }
     m_levels.push_back({image.width(), image.height(), {}});
+    double done = 0;
     if (image.format().type == TexelType::UInt8) {
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t k = 0; k < 256; ++k) {
                 m_light[c][k] =
-                    toLinear(image.colors()[channels[c]], static_cast<float>(k) / 255.0F);
+                    toLinear(image.colors()[m_channels[c]], static_cast<float>(k) / 255.0F);
             }
         }
         m_bytes = std::move(image);
     } else {
-        fillLevel(image, channels, threads);
+        done = 0.6;
+        StageProgress filling(progress, 0, done);
+        if (!fillLevel(image, threads, filling)) {
+            return false;
+        }
     }
     const bool needsLevels =
-        options.lookup == ImageLookup::Mip || options.lookup == ImageLookup::Footprint;
+        m_options.lookup == ImageLookup::Mip || m_options.lookup == ImageLookup::Footprint;
     while (needsLevels && (m_levels.back().width > 1 || m_levels.back().height > 1)) {
-        halve(threads);
+        // A quarter of the work of the one before.
+        StageProgress halving(progress, done, done + 0.75 * (1 - done));
+        done += 0.75 * (1 - done);
+        if (!halve(threads, halving)) {
+            return false;
+        }
     }
+    return progress.report(1);
 }
 
-void ImageSampler::fillLevel(const Image& image,
-                             const std::array<std::uint16_t, 3>& channels,
-                             Threads threads)
+bool ImageSampler::fillLevel(const Image& image, Threads threads, Progress& progress)
 {
     LevelPixels& level = m_levels.front();
     const auto width = static_cast<std::size_t>(level.width);
     level.pixels.resize(width * static_cast<std::size_t>(level.height));
     const std::size_t count = image.format().channels;
     const auto& alpha = image.format().alpha;
-    parallelFor(static_cast<std::size_t>(level.height),
-                8,
-                threads,
-                [&](std::size_t begin, std::size_t end) {
-                    std::vector<float> row(width * count);
-                    for (std::size_t y = begin; y < end; ++y) {
-                        decode(image.format().type, image.row(static_cast<int>(y)), row);
-                        for (std::size_t x = 0; x < width; ++x) {
-                            const float* from = &row[x * count];
-                            const float opacity = alpha ? from[*alpha] : 1.0F;
-                            glm::vec4& to = level.pixels[y * width + x];
-                            to.a = opacity;
-                            for (int c = 0; c < 3; ++c) {
-                                const auto channel = channels[static_cast<std::size_t>(c)];
-                                to[c] = opacity * toLinear(image.colors()[channel], from[channel]);
-                            }
-                        }
-                    }
-                });
+    return forRows(level.height, threads, progress, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> row(width * count);
+        for (std::size_t y = begin; y < end; ++y) {
+            decode(image.format().type, image.row(static_cast<int>(y)), row);
+            for (std::size_t x = 0; x < width; ++x) {
+                const float* from = &row[x * count];
+                const float opacity = alpha ? from[*alpha] : 1.0F;
+                glm::vec4& to = level.pixels[y * width + x];
+                to.a = opacity;
+                for (int c = 0; c < 3; ++c) {
+                    const auto channel = m_channels[static_cast<std::size_t>(c)];
+                    to[c] = opacity * toLinear(image.colors()[channel], from[channel]);
+                }
+            }
+        }
+    });
 }
 
-void ImageSampler::halve(Threads threads)
+bool ImageSampler::halve(Threads threads, Progress& progress)
 {
     const LevelPixels& fine = m_levels.back();
     LevelPixels coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
@@ -107,11 +172,8 @@ void ImageSampler::halve(Threads threads)
                                              1.0) /
                                   size);
     };
-    parallelFor(
-        static_cast<std::size_t>(coarse.height),
-        8,
-        threads,
-        [&](std::size_t begin, std::size_t end) {
+    const bool isDone =
+        forRows(coarse.height, threads, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t y = begin; y < end; ++y) {
                 const auto y0 = static_cast<std::int64_t>(static_cast<double>(y) * down);
                 for (std::size_t x = 0; x < width; ++x) {
@@ -130,6 +192,7 @@ void ImageSampler::halve(Threads threads)
             }
         });
     m_levels.push_back(std::move(coarse));
+    return isDone;
 }
 
 std::size_t ImageSampler::memoryBytes() const

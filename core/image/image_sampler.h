@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/base/parallel.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/footprint/footprint.h"
 #include "core/image/image.h"
 
@@ -56,6 +58,14 @@ public:
                  const SamplerOptions& options,
                  Threads threads);
 
+    /// The same for long work: large images take seconds and memory. Fails when cancelled and when
+    /// the image does not fit into memory.
+    static Result<ImageSampler> make(Image image,
+                                     const std::array<std::uint16_t, 3>& channels,
+                                     const SamplerOptions& options,
+                                     Threads threads,
+                                     Progress& progress);
+
     /// \param footprint  in (s,t): W1 and W2 to the next texels along two edges of a texel, whose
     ///                   third edge is W1 - W2
     glm::vec4 at(glm::dvec2 st, const Footprint& footprint) const;
@@ -76,9 +86,11 @@ private:
         double xx = 0, xy = 0, yy = 0;
     };
 
-    void
-    fillLevel(const Image& image, const std::array<std::uint16_t, 3>& channels, Threads threads);
-    void halve(Threads threads);
+    ImageSampler(const std::array<std::uint16_t, 3>& channels, const SamplerOptions& options);
+    // False when cancelled.
+    bool build(Image image, Threads threads, Progress& progress);
+    bool fillLevel(const Image& image, Threads threads, Progress& progress);
+    bool halve(Threads threads, Progress& progress);
 
     /// Position in pixels of a level, pixel centres at whole numbers.
     glm::dvec2 position(glm::dvec2 st, std::size_t level) const;

@@ -34,15 +34,23 @@ std::vector<ColorSpace> colorsOf(const Image& image)
     return colors;
 }
 
-std::vector<ImageSampler>
-samplersOf(const Image& image, const SamplerOptions& options, Threads threads)
+Result<std::vector<ImageSampler>>
+samplersOf(const Image& image, const SamplerOptions& options, Threads threads, Progress& progress)
 {
     const std::vector<std::uint16_t> channels = colorChannels(image.format());
     const auto channel = [&](std::size_t k) { return channels[std::min(k, channels.size() - 1)]; };
+    const auto part = [&](std::size_t k) {
+        return std::min(1.0, static_cast<double>(k) / static_cast<double>(channels.size()));
+    };
     std::vector<ImageSampler> groups;
     for (std::size_t k = 0; k < channels.size(); k += 3) {
-        groups.emplace_back(
-            image, std::array{channel(k), channel(k + 1), channel(k + 2)}, options, threads);
+        StageProgress stage(progress, part(k), part(k + 3));
+        auto made = ImageSampler::make(
+            image, std::array{channel(k), channel(k + 1), channel(k + 2)}, options, threads, stage);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        groups.push_back(std::move(*made));
     }
     return groups;
 }
@@ -51,6 +59,15 @@ samplersOf(const Image& image, const SamplerOptions& options, Threads threads)
 
 Result<ImageTiles>
 ImageTiles::make(std::vector<TileImage> images, const SamplerOptions& options, Threads threads)
+{
+    NoProgress progress;
+    return make(std::move(images), options, threads, progress);
+}
+
+Result<ImageTiles> ImageTiles::make(std::vector<TileImage> images,
+                                    const SamplerOptions& options,
+                                    Threads threads,
+                                    Progress& progress)
 {
     check(!images.empty(), "at least one image");
     std::sort(images.begin(), images.end(), [](const TileImage& a, const TileImage& b) {
@@ -73,7 +90,17 @@ ImageTiles::make(std::vector<TileImage> images, const SamplerOptions& options, T
             return contentsError(one.name + ": its channels differ from those of " +
                                  images.front().name);
         }
-        set.m_tiles.push_back({one.tile, samplersOf(one.image, inTile, threads)});
+        const auto part = [&](std::size_t done) {
+            return static_cast<double>(done) / static_cast<double>(images.size());
+        };
+        StageProgress stage(progress, part(set.m_tiles.size()), part(set.m_tiles.size() + 1));
+        auto groups = samplersOf(one.image, inTile, threads, stage);
+        if (!groups) {
+            return groups.error().kind == ErrorKind::Cancelled ? cancelled()
+                                                               : prefixed(one.name, groups.error());
+        }
+        set.m_tiles.push_back({one.tile, std::move(*groups)});
+        one.image = {}; // its float levels stay; not both
     }
     return set;
 }

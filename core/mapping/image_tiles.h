@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/image/image_sampler.h"
 #include "core/mapping/uv_mapping.h"
@@ -29,6 +30,12 @@ public:
     ///                on beyond the unit square as `options` say
     static Result<ImageTiles>
     make(std::vector<TileImage> images, const SamplerOptions& options, Threads threads);
+    /// The same for long work. Fails when cancelled, too, and when an image does not fit into
+    /// memory. Each image is given back as soon as its samplers are made.
+    static Result<ImageTiles> make(std::vector<TileImage> images,
+                                   const SamplerOptions& options,
+                                   Threads threads,
+                                   Progress& progress);
 
     /// Tiles that there is an image for, ascending.
     std::vector<UdimTile> tiles() const;

@@ -15,6 +15,24 @@ namespace trixel::ui {
 
 namespace {
 
+/// Ways of filtering go by the levels that faces have.
+bool sameLevels(const TexelStore& a, const TexelStore& b)
+{
+    if (a.faceCount() != b.faceCount()) {
+        return false;
+    }
+    for (std::uint32_t f = 0; f < a.faceCount(); ++f) {
+        if (a.face(faceId(f)).level() != b.face(faceId(f)).level()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+namespace {
+
 Q_LOGGING_CATEGORY(lcViewport, "ui.viewport", QtInfoMsg)
 
 /// Part of a frame that may go into sending texels.
@@ -101,10 +119,13 @@ void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
     if (!others && !otherTexels) {
         return;
     }
+    const bool hasOtherLevels = !sameLevels(others ? *others : document.texels(), texels());
     otherTexels = std::move(others);
     shownTexels.forget();
     streaming.texelsChanged();
-    forgetFilterMesh(); // other levels, perhaps
+    if (hasOtherLevels) {
+        forgetFilterMesh();
+    }
     otherSideDirty = true;
     if (renderer && !texelsDirty) {
         renderer->touchAllTexels();

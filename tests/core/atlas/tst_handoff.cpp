@@ -150,9 +150,13 @@ TEST(HandOffLayout, tilesOfMixedSizesDoNotOverlapAndFitTheirPages)
         EXPECT_EQ(page.width % 4 + page.height % 4, 0U);
     }
     options.powerOfTwo = true;
-    const HandOffLayout powers = *HandOffLayout::plan(intervals, options);
-    for (const AtlasPage& page : powers.pages()) {
-        EXPECT_TRUE(std::has_single_bit(page.width) && std::has_single_bit(page.height));
+    for (const std::uint32_t largest : {512U, 700U, 5000U}) {
+        options.largestPage = largest;
+        const HandOffLayout powers = *HandOffLayout::plan(intervals, options);
+        for (const AtlasPage& page : powers.pages()) {
+            EXPECT_TRUE(std::has_single_bit(page.width) && std::has_single_bit(page.height));
+            EXPECT_LE(std::max(page.width, page.height), largest);
+        }
     }
 }
 

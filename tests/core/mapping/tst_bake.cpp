@@ -410,6 +410,25 @@ TEST(FacesInReachTest, keepsFacesThatBeginBehindTheEye)
     EXPECT_EQ(facesInReach(camera, mesh, allFaces(store), Threads{1}).size(), 2U);
 }
 
+/// A large image is told of level by level and can be left at each.
+TEST(ImageTilesTest, makingLevelsIsLeftWhenCancelled)
+{
+    const TexelFormat format{TexelType::Half, 4, std::nullopt};
+    const auto colors = uniformColors(ColorSpace::Linear, 4, {});
+    const auto images = [&] {
+        return std::vector<TileImage>{{UdimTile{0, 0}, Image(40, 24, format, colors), "a"},
+                                      {UdimTile{1, 0}, Image(8, 8, format, colors), "b"}};
+    };
+    int reports = 0;
+    for (bool isDone = false; !isDone; ++reports) {
+        CancelAfter progress(reports);
+        const auto tiles = ImageTiles::make(images(), {}, Threads{2}, progress);
+        isDone = tiles.has_value();
+        ASSERT_TRUE(isDone || tiles.error().kind == ErrorKind::Cancelled);
+    }
+    EXPECT_GT(reports, 2 * (6 + 4)); // levels of both images, of two groups of channels each
+}
+
 TEST(FacesInReachTest, leavesOutFacesThatTurnTheirBack)
 {
     const TriangleMesh mesh = test::gridMesh(4);
