@@ -107,10 +107,10 @@ void DifferencePanel::makeTable()
         constexpr int kPadding = 10;
         return fontMetrics().horizontalAdvance(text) + kPadding;
     };
-    columns->resizeSection(DifferenceModel::Face, widthOf("0000000"));
+    columns->resizeSection(DifferenceModel::Face, widthOf("00000"));
     columns->resizeSection(DifferenceModel::Rms, widthOf("RMS %") + kSortArrow);
-    columns->resizeSection(DifferenceModel::Largest, widthOf("Max %") + kSortArrow);
-    columns->resizeSection(DifferenceModel::Texels, widthOf("0000000"));
+    columns->resizeSection(DifferenceModel::Largest, widthOf("Max %"));
+    columns->resizeSection(DifferenceModel::Texels, widthOf("Texels"));
     columns->setSortIndicator(DifferenceModel::Rms, Qt::DescendingOrder);
     m_table->setSortingEnabled(true);
     const auto choose = [this](const QModelIndex& index) {

@@ -94,9 +94,11 @@ TransferDialog::TransferDialog(TransferTarget target, const QString& path, QWidg
 
 void TransferDialog::makeForm(QFormLayout& form)
 {
-    m_distance->setDecimals(6);
-    m_distance->setRange(1e-6, 1e9);
-    m_distance->setValue(rounded(kLikelyDistance * double{m_target.project.surface->size()}));
+    const double likely = rounded(kLikelyDistance * double{m_target.project.surface->size()});
+    // Two digits more than the proposed length needs.
+    m_distance->setDecimals(std::clamp(3 - static_cast<int>(std::floor(std::log10(likely))), 2, 9));
+    m_distance->setRange(std::pow(10.0, -m_distance->decimals()), 1e9);
+    m_distance->setValue(likely);
     m_distance->setSuffix(tr(" units"));
     m_distance->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     m_distance->setAccessibleName(tr("Distance"));
@@ -237,7 +239,9 @@ void TransferDialog::showReach()
     const double seconds = kFindAndAverage * m_reach->secondsPerTexel *
                            static_cast<double>(m_reach->texels) / Threads::all().count;
     QString text = tr("About %1 % of %2 texels take paint, %3.")
-                       .arg(QString::number(100 * part, 'f', part < 1 && part > 0.99 ? 1 : 0),
+                       .arg(QString::number(std::min(100 * part, part < 1 ? 99.9 : 100.0),
+                                            'f',
+                                            part < 1 && part > 0.99 ? 1 : 0),
                             countText(m_reach->texels),
                             durationText(seconds));
     if (part < 1) {
