@@ -14,7 +14,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <variant>
+#include <utility>
 
 namespace trixel::app {
 namespace {
@@ -291,71 +291,58 @@ Result<ProjectPart> projectPart(const Arguments& arguments)
     return part;
 }
 
-/// What is said before an atlas is written.
-Result<AtlasEstimate> estimateOf(const ExportRequest& request, const Project& part)
+/// Says what will be written, and writes it unless only that was asked for.
+template <class Export>
+Result<Outcome>
+sayAndWrite(const Result<Export>& plan, const Arguments& arguments, Progress& progress)
 {
-    const auto* packed = std::get_if<PackedExportOptions>(&request.options);
-    return packed != nullptr ? estimatePackedAtlas(request.path, part, *packed)
-                             : estimateHandOff(request.path,
-                                               part,
-                                               std::get<HandOffExportOptions>(request.options));
+    if (!plan) {
+        return tl::unexpected(plan.error());
+    }
+    print(plan->estimate(), arguments.json);
+    if (arguments.estimate) {
+        return Outcome::Done;
+    }
+    const auto written = plan->write(ImageWorker(), progress);
+    if (!written) {
+        return tl::unexpected(written.error());
+    }
+    if constexpr (requires { written->largestJump; }) {
+        if (!arguments.json) {
+            std::printf("largest jump across an edge: %.2f of 255\n", 255 * written->largestJump);
+        }
+    }
+    return Outcome::Done;
 }
 
-ExportOptions chosenOptions(Target target, Options options)
+Result<Outcome> exportAtlas(const Arguments& arguments,
+                            const Project& project,
+                            const ProjectPart& wanted,
+                            Target target,
+                            Options options,
+                            Progress& progress)
 {
-    return target == Target::Ptx      ? ExportOptions(PtxExportOptions())
-           : target == Target::Packed ? ExportOptions(std::move(options.packed))
-                                      : ExportOptions(std::move(options.handOff));
-}
-
-Result<Outcome> exportPart(const Arguments& arguments, ExportRequest request, Progress& progress)
-{
-    StageProgress opening(progress, 0, 0.2);
-    auto project = openPainted(arguments.project, opening);
-    if (!project) {
-        return tl::unexpected(project.error());
-    }
-    const bool isAtlas = !std::holds_alternative<PtxExportOptions>(request.options);
-    StageProgress writing(progress, 0.2, 1);
-    if (!isAtlas) {
-        return exportProject(ImageWorker(), *project, request, writing)
-            .map([](const ExportOutcome&) { return Outcome::Done; });
-    }
-    NoProgress ignored;
-    auto part = partOf(*project, request.part, Threads::all(), ignored);
+    StageProgress parting(progress, 0, 0.1);
+    const auto part = partOf(project, wanted, options.packed.image.threads, parting);
     if (!part) {
-        return prefixed(arguments.project, part.error());
+        return part.error().kind == ErrorKind::Contents ? prefixed(arguments.project, part.error())
+                                                        : tl::unexpected(part.error());
     }
-    request.part = {};
     if (arguments.colors) {
         const auto colors = colorsOf(*arguments.colors, part->texels.format());
         if (!colors) {
             return tl::unexpected(colors.error());
         }
-        std::visit(
-            [&](auto& options) {
-                if constexpr (requires { options.image; }) {
-                    options.image.colors = *colors;
-                }
-            },
-            request.options);
+        options.packed.image.colors = options.handOff.image.colors = *colors;
     }
-    const auto estimate = estimateOf(request, *part);
-    if (!estimate) {
-        return tl::unexpected(estimate.error());
-    }
-    print(*estimate, arguments.json);
-    if (arguments.estimate) {
-        return Outcome::Done;
-    }
-    return exportProject(ImageWorker(), *part, request, writing)
-        .map([&](const ExportOutcome& outcome) {
-            if (outcome.largestJump && !arguments.json) {
-                std::printf("largest jump across an edge: %.2f of 255\n",
-                            255 * *outcome.largestJump);
-            }
-            return Outcome::Done;
-        });
+    StageProgress writing(progress, 0.1, 1);
+    return target == Target::Packed
+               ? sayAndWrite(PackedExport::plan(arguments.output, *part, options.packed),
+                             arguments,
+                             writing)
+               : sayAndWrite(HandOffExport::plan(arguments.output, *part, options.handOff),
+                             arguments,
+                             writing);
 }
 
 Result<Outcome> exportAs(const Arguments& arguments, Progress& progress)
@@ -372,8 +359,19 @@ Result<Outcome> exportAs(const Arguments& arguments, Progress& progress)
     if (!options || !part) {
         return tl::unexpected(options ? part.error() : options.error());
     }
-    return exportPart(
-        arguments, {arguments.output, chosenOptions(*target, *options), *part}, progress);
+    StageProgress opening(progress, 0, 0.2);
+    const auto project = openPainted(arguments.project, opening);
+    if (!project) {
+        return tl::unexpected(project.error());
+    }
+    StageProgress writing(progress, 0.2, 1);
+    if (*target != Target::Ptx) {
+        return exportAtlas(arguments, *project, *part, *target, *options, writing);
+    }
+    const ExportRequest request{arguments.output, PtxExportOptions(), *part};
+    return exportProject(ImageWorker(), *project, request, writing).map([](const ExportOutcome&) {
+        return Outcome::Done;
+    });
 }
 
 void addAtlasOptions(CLI::App& verb, Arguments& arguments)

@@ -45,26 +45,21 @@ public:
 
     Result<ExportOutcome> operator()(const PackedExportOptions& options) const
     {
-        const auto estimate = estimatePackedAtlas(m_path, m_project, options);
-        if (!estimate) {
-            return tl::unexpected(estimate.error());
-        }
-        return exportPackedAtlas(m_worker, m_path, m_project, options, m_progress).map([&] {
-            return outcome(estimate->files);
-        });
+        return PackedExport::plan(m_path, m_project, options)
+            .and_then([&](const PackedExport& plan) {
+                return plan.write(m_worker, m_progress).map([&] { return outcome(plan.files()); });
+            });
     }
 
     Result<ExportOutcome> operator()(const HandOffExportOptions& options) const
     {
-        const auto estimate = estimateHandOff(m_path, m_project, options);
-        if (!estimate) {
-            return tl::unexpected(estimate.error());
-        }
-        return exportHandOff(m_worker, m_path, m_project, options, m_progress)
-            .map([&](const HandOffOutcome& handOff) {
-                ExportOutcome result = outcome(estimate->files);
-                result.largestJump = handOff.largestJump;
-                return result;
+        return HandOffExport::plan(m_path, m_project, options)
+            .and_then([&](const HandOffExport& plan) {
+                return plan.write(m_worker, m_progress).map([&](const HandOffOutcome& handOff) {
+                    ExportOutcome result = outcome(plan.files());
+                    result.largestJump = handOff.largestJump;
+                    return result;
+                });
             });
     }
 

@@ -14,6 +14,7 @@
 #include "core/io/project.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,14 +63,38 @@ struct AtlasEstimate
     std::uint64_t bytes() const { return pixels() * format.texelBytes(); }
 };
 
+/// A packed atlas as it is planned: to be told of, and then written, without planning twice.
+/// Writes NAME.exr, .tif or .png (NAME.0, NAME.1 … where there are several pages), NAME.json with
+/// what a shader needs and what `readPackedAtlas` needs, NAME.glsl with the address function.
+class PackedExport
+{
+public:
+    /// Errors: those of the arguments. The project is kept, as a cheap copy.
+    static Result<PackedExport> plan(const std::filesystem::path& path,
+                                     const Project& project,
+                                     const PackedExportOptions& options);
+
+    /// The other packing is planned for this, too.
+    AtlasEstimate estimate() const;
+    /// In the order they are written.
+    std::vector<std::string> files() const;
+
+    /// Errors name the file; nothing that was there is touched then, nor when it is cancelled.
+    Status write(const ImageWorker& worker, Progress& progress) const;
+
+private:
+    struct Plan;
+    explicit PackedExport(std::shared_ptr<const Plan> plan);
+
+    std::shared_ptr<const Plan> m_plan;
+};
+
 /// What `exportPackedAtlas` would write. Errors: those of its arguments.
 Result<AtlasEstimate> estimatePackedAtlas(const std::filesystem::path& path,
                                           const Project& project,
                                           const PackedExportOptions& options);
 
-/// Writes a packed atlas: NAME.exr, .tif or .png (NAME.0, NAME.1 … where there are several pages),
-/// NAME.json with what a shader needs and what `readPackedAtlas` needs, NAME.glsl with the address
-/// function. Errors name the file; nothing that was there is touched then.
+/// Plans a packed atlas and writes it.
 Status exportPackedAtlas(const ImageWorker& worker,
                          const std::filesystem::path& path,
                          const Project& project,
@@ -90,20 +115,44 @@ Result<ReadAtlas> readPackedAtlas(const ImageWorker& worker,
                                   Threads threads,
                                   Progress& progress);
 
-/// What `exportHandOff` would write.
-Result<AtlasEstimate> estimateHandOff(const std::filesystem::path& path,
-                                      const Project& project,
-                                      const HandOffExportOptions& options);
-
 /// Of an export that is done.
 struct HandOffOutcome
 {
     double largestJump = 0; ///< see `HandOffReport`
 };
 
-/// Writes a mesh with uvs and the textures it wears: NAME.glb with all in it, NAME.obj with
-/// NAME.mtl and textures, or NAME.ply (one page only) with its texture. In a .glb colours are sRGB,
-/// whatever they are in the project: glTF takes base colours for nothing else. Raw channels pass.
+/// A mesh with uvs and the textures it wears, as it is planned: to be told of, and then written,
+/// without planning twice. Writes NAME.glb with all in it, NAME.obj with NAME.mtl and textures, or
+/// NAME.ply (one page only) with its texture. In a .glb colours are sRGB, whatever they are in the
+/// project: glTF takes base colours for nothing else. Raw channels pass.
+class HandOffExport
+{
+public:
+    /// Errors: those of the arguments. The project is kept, as a cheap copy.
+    static Result<HandOffExport> plan(const std::filesystem::path& path,
+                                      const Project& project,
+                                      const HandOffExportOptions& options);
+
+    AtlasEstimate estimate() const;
+    /// In the order they are written.
+    std::vector<std::string> files() const;
+
+    /// Errors name the file; nothing that was there is touched then, nor when it is cancelled.
+    Result<HandOffOutcome> write(const ImageWorker& worker, Progress& progress) const;
+
+private:
+    struct Plan;
+    explicit HandOffExport(std::shared_ptr<const Plan> plan);
+
+    std::shared_ptr<const Plan> m_plan;
+};
+
+/// What `exportHandOff` would write.
+Result<AtlasEstimate> estimateHandOff(const std::filesystem::path& path,
+                                      const Project& project,
+                                      const HandOffExportOptions& options);
+
+/// Plans a hand-off and writes it.
 Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
                                      const std::filesystem::path& path,
                                      const Project& project,

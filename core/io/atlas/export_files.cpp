@@ -86,6 +86,16 @@ Status checkPages(const std::filesystem::path& folder,
     return {};
 }
 
+Status checkReplaceable(const std::filesystem::path& folder, const std::vector<std::string>& names)
+{
+    for (const std::string& name : names) {
+        if (Status free = checkReplaceable(folder / name); !free) {
+            return free;
+        }
+    }
+    return {};
+}
+
 Status writePages(const ImageWorker& worker,
                   const std::vector<std::filesystem::path>& paths,
                   std::span<const Image> pages,

@@ -38,6 +38,9 @@ Status checkPages(const std::filesystem::path& folder,
                   std::span<const AtlasPage> pages,
                   const TexelFormat& format);
 
+/// Fails, naming it, if one of the files must not be replaced.
+Status checkReplaceable(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
 /// Writes each image to its path.
 Status writePages(const ImageWorker& worker,
                   const std::vector<std::filesystem::path>& paths,

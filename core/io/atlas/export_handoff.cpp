@@ -95,7 +95,8 @@ FaceMap<FaceUvs> uvsOf(const HandOffLayout& layout)
 }
 
 Result<std::vector<Image>> drawPages(const Project& project,
-                                     HandOffPlan& plan,
+                                     const HandOffPlan& plan,
+                                     HandOffLayout& layout,
                                      const HandOffExportOptions& options,
                                      Progress& progress)
 {
@@ -109,7 +110,7 @@ Result<std::vector<Image>> drawPages(const Project& project,
         return tl::unexpected(whole.error());
     }
     StageProgress drawing(progress, 0.2, 1);
-    return handOffPages(plan.layout,
+    return handOffPages(layout,
                         *scene,
                         *makeMethod(options.method),
                         plan.kind.format,
@@ -140,6 +141,7 @@ Status writeHandOff(const ImageWorker& worker,
                     const std::filesystem::path& path,
                     const Project& project,
                     const HandOffPlan& plan,
+                    const HandOffLayout& layout,
                     std::span<const Image> pages,
                     Threads threads,
                     Progress& progress)
@@ -154,10 +156,8 @@ Status writeHandOff(const ImageWorker& worker,
     if (Status written = writePages(worker, paths, pages, writing, images); !written) {
         return written;
     }
-    const UvMesh uvMesh{project.surface->mesh(),
-                        uvsOf(plan.layout),
-                        plan.pageFiles,
-                        plan.kind.format.alpha.has_value()};
+    const UvMesh uvMesh{
+        project.surface->mesh(), uvsOf(layout), plan.pageFiles, plan.kind.format.alpha.has_value()};
     StageProgress mesh(progress, 0.8, 1);
     switch (plan.mesh) {
     case MeshFile::Glb:
@@ -174,27 +174,96 @@ Status writeHandOff(const ImageWorker& worker,
 
 } // namespace
 
+struct HandOffExport::Plan
+{
+    std::filesystem::path path;
+    Project project;
+    HandOffExportOptions options;
+    HandOffPlan handOff;
+};
+
+HandOffExport::HandOffExport(std::shared_ptr<const Plan> plan)
+    : m_plan(std::move(plan))
+{
+}
+
+Result<HandOffExport> HandOffExport::plan(const std::filesystem::path& path,
+                                          const Project& project,
+                                          const HandOffExportOptions& options)
+{
+    return planHandOff(path, project, options).map([&](HandOffPlan handOff) {
+        return HandOffExport(
+            std::make_shared<const Plan>(Plan{path, project, options, std::move(handOff)}));
+    });
+}
+
+std::vector<std::string> HandOffExport::files() const
+{
+    std::vector<std::string> files;
+    if (m_plan->handOff.mesh != MeshFile::Glb) {
+        files = m_plan->handOff.pageFiles;
+    }
+    if (m_plan->handOff.mesh == MeshFile::Obj) {
+        files.push_back(m_plan->path.stem().string() + ".mtl");
+    }
+    files.push_back(m_plan->path.filename().string());
+    return files;
+}
+
+AtlasEstimate HandOffExport::estimate() const
+{
+    const HandOffLayout& layout = m_plan->handOff.layout;
+    return {{layout.pages().begin(), layout.pages().end()},
+            files(),
+            m_plan->handOff.kind.format,
+            layout.occupancy(),
+            std::nullopt};
+}
+
+Result<HandOffOutcome> HandOffExport::write(const ImageWorker& worker, Progress& progress) const
+{
+    const HandOffPlan& plan = m_plan->handOff;
+    const Threads threads = m_plan->options.image.threads;
+    // First of all, so that what cannot be written to is noticed before the work.
+    const std::filesystem::path folder = m_plan->path.parent_path();
+    auto staged = StagedFiles::beside(folder);
+    if (!staged) {
+        return tl::unexpected(staged.error());
+    }
+    if (const Status free = checkReplaceable(folder, files()); !free) {
+        return tl::unexpected(free.error());
+    }
+    HandOffLayout layout = plan.layout; // faces are turned in it
+    StageProgress drawing(progress, 0, 0.6);
+    const auto pages = drawPages(m_plan->project, plan, layout, m_plan->options, drawing);
+    if (!pages) {
+        return tl::unexpected(pages.error());
+    }
+    StageProgress writing(progress, 0.6, 0.95);
+    const Status written = writeHandOff(
+        worker, *staged, m_plan->path, m_plan->project, plan, layout, *pages, threads, writing);
+    if (!written) {
+        return tl::unexpected(staged->told(written.error()));
+    }
+    StageProgress measuring(progress, 0.95, 1);
+    const auto report =
+        measureHandOff(layout, *pages, m_plan->project.surface->adjacency(), 3, threads, measuring);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    if (!progress.report(1)) {
+        return cancelled();
+    }
+    return staged->commit().map([&] { return HandOffOutcome{report->largestJump}; });
+}
+
 Result<AtlasEstimate> estimateHandOff(const std::filesystem::path& path,
                                       const Project& project,
                                       const HandOffExportOptions& options)
 {
-    const auto plan = planHandOff(path, project, options);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
-    AtlasEstimate estimate{{plan->layout.pages().begin(), plan->layout.pages().end()},
-                           {},
-                           plan->kind.format,
-                           plan->layout.occupancy(),
-                           std::nullopt};
-    if (plan->mesh != MeshFile::Glb) {
-        estimate.files = plan->pageFiles;
-    }
-    if (plan->mesh == MeshFile::Obj) {
-        estimate.files.push_back(path.stem().string() + ".mtl");
-    }
-    estimate.files.push_back(path.filename().string());
-    return estimate;
+    return HandOffExport::plan(path, project, options).map([](const HandOffExport& plan) {
+        return plan.estimate();
+    });
 }
 
 Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
@@ -203,39 +272,9 @@ Result<HandOffOutcome> exportHandOff(const ImageWorker& worker,
                                      const HandOffExportOptions& options,
                                      Progress& progress)
 {
-    auto plan = planHandOff(path, project, options);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
-    // First of all, so that a folder that cannot be written to is noticed before the work.
-    auto files = StagedFiles::beside(path.parent_path());
-    if (!files) {
-        return tl::unexpected(files.error());
-    }
-    StageProgress drawing(progress, 0, 0.6);
-    const auto pages = drawPages(project, *plan, options, drawing);
-    if (!pages) {
-        return tl::unexpected(pages.error());
-    }
-    StageProgress writing(progress, 0.6, 0.95);
-    const Status written =
-        writeHandOff(worker, *files, path, project, *plan, *pages, options.image.threads, writing);
-    if (!written) {
-        return tl::unexpected(files->told(written.error()));
-    }
-    StageProgress measuring(progress, 0.95, 1);
-    const auto report = measureHandOff(
-        plan->layout, *pages, project.surface->adjacency(), 3, options.image.threads, measuring);
-    if (!report) {
-        return tl::unexpected(report.error());
-    }
-    if (!progress.report(1)) {
-        return cancelled();
-    }
-    if (Status moved = files->commit(); !moved) {
-        return tl::unexpected(moved.error());
-    }
-    return HandOffOutcome{report->largestJump};
+    return HandOffExport::plan(path, project, options).and_then([&](const HandOffExport& plan) {
+        return plan.write(worker, progress);
+    });
 }
 
 } // namespace trixel

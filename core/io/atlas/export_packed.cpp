@@ -100,25 +100,83 @@ Status writePacked(const ImageWorker& worker,
 
 } // namespace
 
+struct PackedExport::Plan
+{
+    std::filesystem::path path;
+    Project project;
+    PackedExportOptions options;
+    PackedPlan packed;
+};
+
+PackedExport::PackedExport(std::shared_ptr<const Plan> plan)
+    : m_plan(std::move(plan))
+{
+}
+
+Result<PackedExport> PackedExport::plan(const std::filesystem::path& path,
+                                        const Project& project,
+                                        const PackedExportOptions& options)
+{
+    return planPacked(path, project, options).map([&](PackedPlan packed) {
+        return PackedExport(
+            std::make_shared<const Plan>(Plan{path, project, options, std::move(packed)}));
+    });
+}
+
+std::vector<std::string> PackedExport::files() const
+{
+    std::vector<std::string> files = m_plan->packed.pageFiles;
+    files.insert(files.end(), {m_plan->packed.shader, m_plan->packed.description});
+    return files;
+}
+
+AtlasEstimate PackedExport::estimate() const
+{
+    const AtlasLayout& layout = m_plan->packed.layout;
+    PackedExportOptions other = m_plan->options;
+    other.layout.packing =
+        other.layout.packing == AtlasPacking::Bands ? AtlasPacking::Shelves : AtlasPacking::Bands;
+    const auto otherPlan = planPacked(m_plan->path, m_plan->project, other);
+    return {{layout.pages().begin(), layout.pages().end()},
+            files(),
+            m_plan->packed.kind.format,
+            layout.occupancy(),
+            otherPlan ? std::optional(otherPlan->layout.occupancy()) : std::nullopt};
+}
+
+Status PackedExport::write(const ImageWorker& worker, Progress& progress) const
+{
+    // First of all, so that what cannot be written to is noticed before the work.
+    const std::filesystem::path folder = m_plan->path.parent_path();
+    auto staged = StagedFiles::beside(folder);
+    if (!staged) {
+        return tl::unexpected(staged.error());
+    }
+    if (Status free = checkReplaceable(folder, files()); !free) {
+        return free;
+    }
+    if (const Status written = writePacked(worker,
+                                           *staged,
+                                           m_plan->project,
+                                           m_plan->packed,
+                                           m_plan->options.image.threads,
+                                           progress);
+        !written) {
+        return tl::unexpected(staged->told(written.error()));
+    }
+    if (!progress.report(1)) {
+        return cancelled();
+    }
+    return staged->commit();
+}
+
 Result<AtlasEstimate> estimatePackedAtlas(const std::filesystem::path& path,
                                           const Project& project,
                                           const PackedExportOptions& options)
 {
-    const auto plan = planPacked(path, project, options);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
-    PackedExportOptions other = options;
-    other.layout.packing =
-        options.layout.packing == AtlasPacking::Bands ? AtlasPacking::Shelves : AtlasPacking::Bands;
-    const auto otherPlan = planPacked(path, project, other);
-    AtlasEstimate estimate{{plan->layout.pages().begin(), plan->layout.pages().end()},
-                           plan->pageFiles,
-                           plan->kind.format,
-                           plan->layout.occupancy(),
-                           otherPlan ? std::optional(otherPlan->layout.occupancy()) : std::nullopt};
-    estimate.files.insert(estimate.files.end(), {plan->shader, plan->description});
-    return estimate;
+    return PackedExport::plan(path, project, options).map([](const PackedExport& plan) {
+        return plan.estimate();
+    });
 }
 
 Status exportPackedAtlas(const ImageWorker& worker,
@@ -127,23 +185,9 @@ Status exportPackedAtlas(const ImageWorker& worker,
                          const PackedExportOptions& options,
                          Progress& progress)
 {
-    const auto plan = planPacked(path, project, options);
-    if (!plan) {
-        return tl::unexpected(plan.error());
-    }
-    auto files = StagedFiles::beside(path.parent_path());
-    if (!files) {
-        return tl::unexpected(files.error());
-    }
-    if (const Status written =
-            writePacked(worker, *files, project, *plan, options.image.threads, progress);
-        !written) {
-        return tl::unexpected(files->told(written.error()));
-    }
-    if (!progress.report(1)) {
-        return cancelled();
-    }
-    return files->commit();
+    return PackedExport::plan(path, project, options).and_then([&](const PackedExport& plan) {
+        return plan.write(worker, progress);
+    });
 }
 
 } // namespace trixel
