@@ -111,6 +111,7 @@ void DifferencePanel::makeTable()
     columns->resizeSection(DifferenceModel::Rms, widthOf("RMS %") + kSortArrow);
     columns->resizeSection(DifferenceModel::Largest, widthOf("Max %"));
     columns->resizeSection(DifferenceModel::Texels, widthOf("Texels"));
+    columns->resizeSection(DifferenceModel::Levels, widthOf("0 | 00"));
     columns->setSortIndicator(DifferenceModel::Rms, Qt::DescendingOrder);
     m_table->setSortingEnabled(true);
     const auto choose = [this](const QModelIndex& index) {
