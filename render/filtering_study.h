@@ -38,7 +38,7 @@ struct DrawnPicture
 DrawnPicture drawNumbers(Gl& gl, Renderer& renderer, const Scene& scene);
 
 /// Draws so many frames of the camera's size and waits for each. \return milliseconds of the card's
-/// own clock, the median; nothing where it has none
+/// own clock, the median; nothing where it has none. By our clock where the processor draws.
 std::optional<double> cardTime(Gl& gl, Renderer& renderer, const Scene& scene, int frames);
 
 /// Sends texels and everything that the ways of filtering need, and waits until all is there.
