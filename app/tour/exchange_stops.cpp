@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QTableView>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "core/io/project.h"
 #include "ui/exchange/difference_model.h"
@@ -30,22 +31,6 @@ namespace {
 
 /// Files of the sample's size are written and read, on a busy machine slowly.
 constexpr int kPatienceMs = 120'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-QDialog* openDialog()
-{
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* dialog = qobject_cast<QDialog*>(widget);
-        if (dialog != nullptr && dialog->isVisible()) {
-            return dialog;
-        }
-    }
-    return nullptr;
-}
 
 template <class T>
 T* named(const QWidget& parent, const QString& name)

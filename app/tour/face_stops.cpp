@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QImage>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/inspector/face_listing.h"
 #include "ui/inspector/face_panel.h"
@@ -22,11 +23,6 @@ namespace trixel::app {
 namespace {
 
 constexpr int kRows = 5; ///< that are selected; all of them can be seen
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 /// The middle of a row's first cell.
 QPoint placeOf(const ui::FaceTableView& table, int row)

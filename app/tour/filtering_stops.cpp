@@ -3,6 +3,7 @@
 // The stops at what the graphics card filters, and at the limit surface.
 #include <QCheckBox>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/viewport/crease_bar.h"
 #include "ui/viewport/frame_hud.h"
@@ -10,15 +11,6 @@
 #include "ui/viewport/viewport.h"
 
 namespace trixel::app {
-
-namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-} // namespace
 
 Status Stops::seamlessTexels()
 {

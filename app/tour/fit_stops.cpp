@@ -5,6 +5,7 @@
 #include <QInputDialog>
 #include <QSpinBox>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/docks/fit_panel.h"
 #include "ui/viewport/map_legend.h"
@@ -18,11 +19,6 @@ namespace {
 
 /// A plan takes a slow machine minutes.
 constexpr int kPatienceMs = 240'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QToolButton>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/inspector/footprint_net_view.h"
 #include "ui/inspector/footprint_panel.h"
@@ -15,11 +16,6 @@ namespace trixel::app {
 namespace {
 
 constexpr int kPatienceMs = 120'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 } // namespace
 

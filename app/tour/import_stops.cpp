@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPainter>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/import/corner_handle.h"
 #include "ui/import/distortion_view.h"
@@ -22,11 +23,6 @@ namespace trixel::app {
 namespace {
 
 constexpr int kPatienceMs = 120'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 /// Rings and squares, whose stretching the eye sees at once.
 QImage poster()

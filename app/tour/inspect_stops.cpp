@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The stop at a texel that is held and stepped from.
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/document/inspection.h"
 #include "ui/viewport/viewport.h"
@@ -12,11 +13,6 @@ namespace trixel::app {
 namespace {
 
 constexpr int kMostSteps = 64; ///< more than any way through a face of the sample
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 } // namespace
 

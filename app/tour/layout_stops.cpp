@@ -3,6 +3,7 @@
 // The stop at the texels of a face, laid out in three ways.
 #include <QDockWidget>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "core/filter/face_net.h"
 #include "ui/document/inspection.h"
@@ -18,11 +19,6 @@ namespace trixel::app {
 namespace {
 
 constexpr int kLayoutHeight = 380;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 /// How much the first channel varies over its texels: the variance, in bytes' steps.
 double contrastOf(const FaceTexels& face)

@@ -3,6 +3,7 @@
 // The stop at faces chosen by hand and given another level.
 #include <QLineEdit>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/document/face_selection.h"
 #include "ui/viewport/viewport.h"
@@ -13,15 +14,6 @@
 #include <vector>
 
 namespace trixel::app {
-
-namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-} // namespace
 
 Status Stops::command(const QString& words)
 {

@@ -3,6 +3,7 @@
 // The stop at the looking tools.
 #include <QDockWidget>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/look/histogram_view.h"
 #include "ui/look/look_legend.h"
@@ -10,15 +11,6 @@
 #include "ui/viewport/viewport.h"
 
 namespace trixel::app {
-
-namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-} // namespace
 
 Status Stops::falseColours()
 {

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QTableView>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/docks/seam_model.h"
 #include "ui/docks/seam_panel.h"
@@ -17,11 +18,6 @@ namespace {
 
 /// A map of a large window takes seconds, on a busy machine minutes.
 constexpr int kPatienceMs = 240'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 } // namespace
 

@@ -3,6 +3,7 @@
 // The stop at the levels of one face.
 #include <QDockWidget>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/inspector/mip_panel.h"
 #include "ui/viewport/viewport.h"
@@ -10,11 +11,6 @@
 namespace trixel::app {
 
 namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 QPoint placeOf(const ui::MipView& view, Level level, TexelCoord texel)
 {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "app/tour/looks.h"
 #include "core/io/ptx_check.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/message_bar.h"
@@ -20,22 +21,6 @@
 namespace trixel::app {
 
 namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-QDialog* openDialog()
-{
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* dialog = qobject_cast<QDialog*>(widget);
-        if (dialog != nullptr && dialog->isVisible()) {
-            return dialog;
-        }
-    }
-    return nullptr;
-}
 
 /// A wave between two points, as a hand draws it.
 std::vector<QPoint> wave(QPoint from, QPoint to, double height)

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/charts/write_chart.h"
 #include "ui/docks/chart_panel.h"
@@ -25,11 +26,6 @@ namespace {
 /// A study may take minutes on a busy machine: then its first points have to do.
 constexpr int kStudyMs = 60'000;
 constexpr int kPatienceMs = 120'000;
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
 
 /// Pixels from a point to the nearest other one.
 double roomAbout(const ui::ChartView& view, std::size_t source)

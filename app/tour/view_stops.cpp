@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QTreeView>
 
+#include "app/tour/looks.h"
 #include "app/tour/stops.h"
 #include "ui/document/view_bookmarks.h"
 #include "ui/viewport/viewport.h"
@@ -13,15 +14,6 @@
 #include <glm/geometric.hpp>
 
 namespace trixel::app {
-
-namespace {
-
-Status expect(bool holds, const std::string& sentence)
-{
-    return holds ? Status() : contentsError("tour: " + sentence);
-}
-
-} // namespace
 
 Status Stops::bookmarkedViews()
 {

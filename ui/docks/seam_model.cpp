@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/seam_model.h"
 
+#include "ui/document/sorted_rows.h"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -20,20 +22,6 @@ QString edgeName(LocalEdge edge)
     return QString("e%1").arg(indexOf(edge));
 }
 
-/// Rows by a key, equal ones as the report has them.
-template <class Key>
-void sortBy(std::vector<std::uint32_t>& rows, Qt::SortOrder order, const Key& key)
-{
-    std::ranges::sort(rows, [&](std::uint32_t a, std::uint32_t b) {
-        const auto first = key(a);
-        const auto second = key(b);
-        if (first != second) {
-            return order == Qt::AscendingOrder ? first < second : second < first;
-        }
-        return a < b;
-    });
-}
-
 std::vector<std::uint32_t>
 orderOf(const std::vector<SeamJump>& jumps, int column, Qt::SortOrder order)
 {
@@ -46,22 +34,22 @@ orderOf(const std::vector<SeamJump>& jumps, int column, Qt::SortOrder order)
         }
         break;
     case SeamModel::Mean:
-        sortBy(rows, order, [&](std::uint32_t r) { return jumps[r].mean; });
+        sortRows(rows, order, [&](std::uint32_t r) { return jumps[r].mean; });
         break;
     case SeamModel::Face:
-        sortBy(
+        sortRows(
             rows, order, [&](std::uint32_t r) { return std::pair(jumps[r].face, jumps[r].edge); });
         break;
     case SeamModel::Edge:
-        sortBy(rows, order, [&](std::uint32_t r) {
+        sortRows(rows, order, [&](std::uint32_t r) {
             return std::pair(jumps[r].edge, jumps[r].neighbourEdge);
         });
         break;
     case SeamModel::Neighbour:
-        sortBy(rows, order, [&](std::uint32_t r) { return jumps[r].neighbour; });
+        sortRows(rows, order, [&](std::uint32_t r) { return jumps[r].neighbour; });
         break;
     default: // how far the levels are apart, then how fine
-        sortBy(rows, order, [&](std::uint32_t r) {
+        sortRows(rows, order, [&](std::uint32_t r) {
             const int own = jumps[r].level.log2();
             const int other = jumps[r].neighbourLevel.log2();
             return std::tuple(std::abs(own - other), std::max(own, other), own);

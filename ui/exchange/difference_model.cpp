@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/exchange/difference_model.h"
 
+#include "ui/document/sorted_rows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,20 +13,6 @@ namespace trixel::ui {
 
 namespace {
 
-/// Rows by a key, equal ones by number.
-template <class Key>
-void sortBy(std::vector<std::uint32_t>& rows, Qt::SortOrder order, const Key& key)
-{
-    std::ranges::sort(rows, [&](std::uint32_t a, std::uint32_t b) {
-        const auto first = key(a);
-        const auto second = key(b);
-        if (first != second) {
-            return order == Qt::AscendingOrder ? first < second : second < first;
-        }
-        return a < b;
-    });
-}
-
 std::vector<std::uint32_t>
 orderOf(const std::vector<FaceDifference>& faces, int column, Qt::SortOrder order)
 {
@@ -32,23 +20,23 @@ orderOf(const std::vector<FaceDifference>& faces, int column, Qt::SortOrder orde
     std::iota(rows.begin(), rows.end(), 0U);
     switch (column) {
     case DifferenceModel::Face:
-        sortBy(rows, order, [&](std::uint32_t r) { return faces[r].face; });
+        sortRows(rows, order, [&](std::uint32_t r) { return faces[r].face; });
         break;
     case DifferenceModel::Largest:
-        sortBy(rows, order, [&](std::uint32_t r) { return faces[r].maxAbs; });
+        sortRows(rows, order, [&](std::uint32_t r) { return faces[r].maxAbs; });
         break;
     case DifferenceModel::Texels:
-        sortBy(rows, order, [&](std::uint32_t r) { return faces[r].texels; });
+        sortRows(rows, order, [&](std::uint32_t r) { return faces[r].texels; });
         break;
     case DifferenceModel::Levels: // how far the levels are apart, then how fine
-        sortBy(rows, order, [&](std::uint32_t r) {
+        sortRows(rows, order, [&](std::uint32_t r) {
             const int a = faces[r].levelOfA.log2();
             const int b = faces[r].levelOfB.log2();
             return std::tuple(std::abs(a - b), a, b);
         });
         break;
     default:
-        sortBy(rows, order, [&](std::uint32_t r) { return faces[r].rms; });
+        sortRows(rows, order, [&](std::uint32_t r) { return faces[r].rms; });
         break;
     }
     return rows;
