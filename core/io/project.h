@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/io/ptx.h"
 #include "core/io/ptx_stored_faces.h"
+#include "core/layers/layer_stack.h"
 #include "core/mesh/surface.h"
 #include "core/texture/texel_store.h"
 
@@ -18,6 +19,7 @@ namespace trixel {
 struct Project
 {
     std::shared_ptr<const Surface> surface;
+    /// What is shown: of a project with layers, these together.
     TexelStore texels;
     /// Metadata a .ptx brought along, kept when it is written again (the mesh keys apart).
     std::vector<PtxMetadata> metadata;
@@ -26,6 +28,8 @@ struct Project
     std::shared_ptr<StoredFaces> storedFaces = {};
     /// From which the limit surface has creases beside those of the mesh.
     CreaseAngle creaseAngle = {};
+    /// What the texels come from; plain when there is nothing but them.
+    LayerStack layers = {};
 };
 
 /// Opens a `.trixel` project. Errors name the file; a newer version is refused. Of large files only
