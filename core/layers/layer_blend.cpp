@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layer_blend.h"
 
+#include "core/layers/known_blend.h"
+
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace trixel {
 
@@ -37,27 +37,8 @@ std::optional<LayerBlend> layerBlendFromName(std::string_view name)
 
 float blended(LayerBlend blend, float below, float value)
 {
-    switch (blend) {
-    case LayerBlend::Normal:
-        return value;
-    case LayerBlend::Multiply:
-        return below * value;
-    case LayerBlend::Screen:
-        return below + value - below * value;
-    case LayerBlend::Overlay:
-        return below <= 0.5F ? 2.0F * below * value : 1.0F - 2.0F * (1.0F - below) * (1.0F - value);
-    case LayerBlend::Darken:
-        return std::min(below, value);
-    case LayerBlend::Lighten:
-        return std::max(below, value);
-    case LayerBlend::Add:
-        return below + value;
-    case LayerBlend::Subtract:
-        return below - value;
-    case LayerBlend::Difference:
-        return std::abs(below - value);
-    }
-    return value;
+    return withLayerBlend(
+        blend, [&](auto known) { return blended<decltype(known)::value>(below, value); });
 }
 
 } // namespace trixel
