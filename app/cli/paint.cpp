@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace trixel::app {
 namespace {
@@ -54,16 +55,19 @@ Result<Outcome> paint(const Arguments& arguments, Progress& progress)
         return tl::unexpected(strokes.error());
     }
     StageProgress painting(progress, 0.2, 0.8);
+    Layered layered{std::move(project->texels), std::move(project->layers)};
     const Status painted = replayStrokes(*strokes,
                                          project->surface,
                                          fillOf(*project),
-                                         project->texels,
+                                         layered,
                                          *count,
                                          painting,
                                          project->creaseAngle);
     if (!painted) {
         return tl::unexpected(painted.error());
     }
+    project->texels = std::move(layered.shown);
+    project->layers = std::move(layered.layers);
     StageProgress saving(progress, 0.8, 1);
     return saveProject(arguments.output, *project, saving).map([] { return Outcome::Done; });
 }

@@ -11,7 +11,7 @@ namespace trixel {
 
 namespace {
 
-float coverageOf(const TexelFormat& layer, std::span<const std::byte> texel)
+float coverageOfTexel(const TexelFormat& layer, std::span<const std::byte> texel)
 {
     std::array<float, 1> coverage{};
     decode(layer.type, texel.last(byteSize(layer.type)), coverage);
@@ -23,7 +23,7 @@ bool hidesAll(const Layer& layer, const FaceTexels& face)
 {
     return face.isConstant() && layer.settings.blend == LayerBlend::Normal &&
            layer.settings.opacity >= 1.0F &&
-           coverageOf(layer.texels.format(), face.bytes()) >= 1.0F;
+           coverageOfTexel(layer.texels.format(), face.bytes()) >= 1.0F;
 }
 
 /// \param channels  of the layer
@@ -76,7 +76,7 @@ std::vector<const Layer*> shownLayers(const LayerStack& layers)
 bool mayCover(const Layer& layer, FaceId face)
 {
     const FaceTexels& texels = layer.texels.face(face);
-    return !texels.isConstant() || coverageOf(layer.texels.format(), texels.bytes()) > 0.0F;
+    return !texels.isConstant() || coverageOfTexel(layer.texels.format(), texels.bytes()) > 0.0F;
 }
 
 bool FaceLayers::isConstant() const

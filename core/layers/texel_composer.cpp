@@ -2,6 +2,7 @@
 #include "core/layers/texel_composer.h"
 
 #include "core/base/check.h"
+#include "core/layers/coverage.h"
 #include "core/layers/known_blend.h"
 #include "core/texture/texel_codec.h"
 
@@ -89,10 +90,7 @@ bool spreadCoverage(
     std::array<float, kChunkValues> each;
     int covers = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const float stored = layer[k * (channels + 1) + channels];
-        const float positive = stored > 0.0F ? stored : 0.0F; // false for NaN
-        const float inside = positive < 1.0F ? positive : 1.0F;
-        each[k] = inside * opacity;
+        each[k] = coverageOf(layer[k * (channels + 1) + channels]) * opacity;
         covers |= each[k] > 0.0F ? 1 : 0;
     }
     if (covers == 0) {

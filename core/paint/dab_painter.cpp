@@ -98,18 +98,23 @@ bool growCoverageAt(const Dab& dab,
 
 } // namespace
 
+DabPainter::DabPainter(
+    TexelBlend blend, float hardness, float flow, Threads threads, std::optional<LimitTexels> limit)
+    : m_blend(std::move(blend))
+    , m_falloff(hardness)
+    , m_flow(flow)
+    , m_threads(threads)
+    , m_limit(std::move(limit))
+{
+}
+
 DabPainter::DabPainter(const TexelFormat& format,
                        std::span<const float> value,
                        float hardness,
                        float flow,
                        Threads threads,
                        std::optional<LimitTexels> limit)
-    : m_format(format)
-    , m_blend(format, value)
-    , m_falloff(hardness)
-    , m_flow(flow)
-    , m_threads(threads)
-    , m_limit(std::move(limit))
+    : DabPainter(TexelBlend(format, value), hardness, flow, threads, std::move(limit))
 {
 }
 
@@ -301,7 +306,7 @@ void DabPainter::forEachRun(const Piece& piece, Work&& work) const
 
 bool DabPainter::changesAnything(const Piece& piece) const
 {
-    std::vector<std::byte> after(StrokeFace::kRunTexels * m_format.texelBytes());
+    std::vector<std::byte> after(StrokeFace::kRunTexels * m_blend.format().texelBytes());
     bool same = true;
     forEachRun(piece, [&](auto before, auto coverage, std::uint32_t /*first*/) {
         const std::span<std::byte> texels = std::span(after).first(before.size());
@@ -314,7 +319,7 @@ bool DabPainter::changesAnything(const Piece& piece) const
 
 void DabPainter::blend(const Piece& piece) const
 {
-    const std::size_t texelBytes = m_format.texelBytes();
+    const std::size_t texelBytes = m_blend.format().texelBytes();
     forEachRun(piece, [&](auto before, auto coverage, std::uint32_t first) {
         m_blend.blend(before, coverage, piece.texels.subspan(first * texelBytes, before.size()));
         return true;
@@ -385,7 +390,7 @@ void DabPainter::paint(const Dab& dab,
                        std::span<const FaceId> faces,
                        TexelStore& store)
 {
-    check(store.format() == m_format, "the format the stroke began with");
+    check(store.format() == m_blend.format(), "the format the stroke began with");
     m_pieceCount = 0;
     for (const FaceId face : faces) {
         if (m_limit) {

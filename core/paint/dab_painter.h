@@ -25,6 +25,13 @@ namespace trixel {
 class DabPainter
 {
 public:
+    /// \param blend  what the stroke makes of texels, as `strokeBlend` gives it
+    DabPainter(TexelBlend blend,
+               float hardness,
+               float flow,
+               Threads threads,
+               std::optional<LimitTexels> limit = {});
+    /// Texels that move towards a value.
     DabPainter(const TexelFormat& format,
                std::span<const float> value,
                float hardness,
@@ -97,7 +104,6 @@ private:
     void touch(const Piece& piece, bool isSpreadNow);
     Threads threadsFor(double texels) const;
 
-    TexelFormat m_format;
     TexelBlend m_blend;
     Falloff m_falloff;
     float m_flow;

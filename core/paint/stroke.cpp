@@ -15,7 +15,7 @@ class Stroke::State
 public:
     State(const std::shared_ptr<const Surface>& surface,
           const Brush& brush,
-          std::vector<std::byte> fill,
+          Ground ground,
           Threads threads,
           const std::shared_ptr<const LimitMesh>& limit)
         : m_dabs(surface, brush, limit)
@@ -24,7 +24,7 @@ public:
                       ? std::make_shared<const DabReach>(surface, false, limit)
                       : nullptr)
         , m_brush(brush)
-        , m_fill(std::move(fill))
+        , m_ground(std::move(ground))
         , m_threads(threads)
     {
     }
@@ -55,9 +55,9 @@ private:
     DabPainter& painterFor(const TexelStore& store)
     {
         if (!m_painter) {
-            check(m_fill.size() == store.format().texelBytes(), "a fill of one texel");
-            m_painter.emplace(store.format(),
-                              strokeTarget(m_brush, store.format(), m_fill),
+            check(m_ground.isLayer() || m_ground.fill().size() == store.format().texelBytes(),
+                  "a fill of one texel");
+            m_painter.emplace(strokeBlend(m_brush, store.format(), m_ground),
                               m_brush.hardness,
                               m_brush.flow,
                               m_threads,
@@ -71,18 +71,18 @@ private:
     std::shared_ptr<const LimitMesh> m_limit;
     std::shared_ptr<const DabReach> m_reach; ///< where texels that face away stay
     Brush m_brush;
-    std::vector<std::byte> m_fill;
+    Ground m_ground;
     Threads m_threads;
     std::optional<DabPainter> m_painter; ///< made for the format of the first store it sees
 };
 
 Stroke::Stroke(std::shared_ptr<const Surface> surface,
                const Brush& brush,
-               std::vector<std::byte> fill,
+               Ground ground,
                Threads threads,
                std::shared_ptr<const LimitMesh> limit)
 {
-    m_state = std::make_unique<State>(surface, brush, std::move(fill), threads, limit);
+    m_state = std::make_unique<State>(surface, brush, std::move(ground), threads, limit);
 }
 
 Stroke::~Stroke() = default;

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/mesh/surface.h"
 #include "core/paint/brush.h"
+#include "core/paint/ground.h"
 #include "core/texture/texel_patch.h"
 #include "core/texture/texel_store.h"
 #include "core/texture/touched_rect.h"
@@ -37,20 +38,21 @@ struct StrokeSample
 ///
 /// A dab is a sphere. What it adds to a texel depends only on where the texel's centroid lies in
 /// it: coverage moves by flow times falloff towards the opacity (times the pressure where that sets
-/// the opacity) and never back, and the texel becomes before + coverage (colour - before). Faces of
-/// every level within the sphere are painted, duplicates and degenerate ones too; without
-/// paint-through not those that face away from the dab. A dab that reaches no texel's centroid
-/// paints nothing. A dab of no pressure paints nothing where pressure sets size or opacity.
+/// the opacity) and never back, and the texel becomes before + coverage (colour - before); of a
+/// layer it becomes what `TexelMix` says. Faces of every level within the sphere are painted,
+/// duplicates and degenerate ones too; without paint-through not those that face away from the dab.
+/// A dab that reaches no texel's centroid paints nothing. A dab of no pressure paints nothing where
+/// pressure sets size or opacity.
 class Stroke
 {
 public:
-    /// \param fill   the bytes of one texel that Erase moves towards
+    /// \param ground  what is painted on; the fill of a base is one texel of it
     /// \param limit  of the surface, by `limitToPaintOn`: dabs then reach texels by where these lie
     ///               on the limit surface; null for the surface itself
     /// The brush must be valid (checked).
     Stroke(std::shared_ptr<const Surface> surface,
            const Brush& brush,
-           std::vector<std::byte> fill,
+           Ground ground,
            Threads threads = Threads::all(),
            std::shared_ptr<const LimitMesh> limit = {});
     ~Stroke();

@@ -119,4 +119,18 @@ strokeTarget(const Brush& brush, const TexelFormat& format, std::span<const std:
     return value;
 }
 
+TexelBlend strokeBlend(const Brush& brush, const TexelFormat& format, const Ground& ground)
+{
+    if (!ground.isLayer()) {
+        return {format, strokeTarget(brush, format, ground.fill())};
+    }
+    check(format.channels > 1 && format.alpha == format.channels - 1, "texels of a layer");
+    if (brush.blend == BlendMode::Erase) {
+        return {format, std::vector<float>(format.channels), TexelMix::Uncover};
+    }
+    std::vector<float> value = strokeTarget(brush, format, {});
+    value.back() = 1.0F; // covered
+    return {format, value, TexelMix::Over};
+}
+
 } // namespace trixel

@@ -5,7 +5,9 @@
 #include "core/paint/brush.h"
 #include "core/paint/dab.h"
 #include "core/paint/dab_reach.h"
+#include "core/paint/ground.h"
 #include "core/paint/stroke_path.h"
+#include "core/paint/texel_blend.h"
 #include "core/texture/texel_format.h"
 
 #include <cstddef>
@@ -62,5 +64,8 @@ private:
 /// \param fill  the bytes of one texel, of which Erase makes use
 std::vector<float>
 strokeTarget(const Brush& brush, const TexelFormat& format, std::span<const std::byte> fill);
+
+/// What a stroke makes of texels of a format. \param ground  on which they lie
+TexelBlend strokeBlend(const Brush& brush, const TexelFormat& format, const Ground& ground);
 
 } // namespace trixel

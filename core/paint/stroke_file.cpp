@@ -137,6 +137,20 @@ Result<StrokeSample> parseSample(const Json& json, const std::string& place, std
     return sample;
 }
 
+Status parseLayer(const JsonFields& fields, std::uint32_t& layer)
+{
+    const Json* field = fields.find("layer");
+    if (field == nullptr) {
+        return {};
+    }
+    if (!field->is_number_unsigned() ||
+        field->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
+        return fields.error("layer", "0 for the base or the number of a layer above it", *field);
+    }
+    layer = field->get<std::uint32_t>();
+    return {};
+}
+
 Result<RecordedStroke>
 parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
 {
@@ -144,8 +158,9 @@ parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
     if (!fields) {
         return tl::unexpected(fields.error());
     }
-    const Status status = firstError(
-        {fields->onlyHas({"layer", "surface", "brush", "samples"}), fields->mustBe("layer", 0)});
+    RecordedStroke stroke;
+    const Status status = firstError({fields->onlyHas({"layer", "surface", "brush", "samples"}),
+                                      parseLayer(*fields, stroke.layer)});
     if (!status) {
         return tl::unexpected(status.error());
     }
@@ -162,7 +177,7 @@ parseStroke(const Json& json, const std::string& place, std::size_t faceCount)
     if (!brush) {
         return tl::unexpected(brush.error());
     }
-    RecordedStroke stroke{*brush, {}};
+    stroke.brush = *brush;
     stroke.onLimit = surface != nullptr && *surface == "limit";
     stroke.samples.reserve((*samples)->size());
     for (const Json& entry : **samples) {
@@ -190,7 +205,7 @@ Json toJson(const RecordedStroke& stroke)
                            {"pressure", sample.pressure},
                            {"time", sample.time}});
     }
-    Json json{{"layer", 0},
+    Json json{{"layer", stroke.layer},
               {"brush",
                {{"radius", brush.radius},
                 {"unit", "world"},

@@ -3,9 +3,11 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/layers/compose.h"
 #include "core/paint/brush.h"
 #include "core/paint/stroke.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,7 +21,8 @@ struct RecordedStroke
 {
     Brush brush;
     std::vector<StrokeSample> samples;
-    bool onLimit = false; ///< painted on the limit surface, by `limitToPaintOn`, not on the cage
+    bool onLimit = false;    ///< painted on the limit surface, by `limitToPaintOn`, not on the cage
+    std::uint32_t layer = 0; ///< painted on: 0 for the base, then the layers from the bottom
 };
 
 /// Reads a stroke file (JSON, version 1; see the command line's documentation). Errors name the
@@ -28,17 +31,28 @@ struct RecordedStroke
 /// "samples" (each with "face", "u" and "v"); what else is left out has its default. Beyond the
 /// documented fields a brush may hold "pressureToSize", "pressureToOpacity" and "paintThrough";
 /// a stroke a "surface", "cage" or "limit";
-/// fields of other names are refused, and so are layers but 0, units but "world" and brushes that
-/// `validate` refuses.
+/// fields of other names are refused, and so are units but "world" and brushes that `validate`
+/// refuses.
 Result<std::vector<RecordedStroke>> parseStrokes(std::string_view json, std::size_t faceCount);
 
 /// The text that `parseStrokes` reads back to equal strokes.
 std::string writeStrokes(std::span<const RecordedStroke> strokes);
 
-/// Replays strokes in order on a store. The result does not depend on the number of threads. Fails
-/// when a brush is not valid, when a stroke is on the limit of a surface that has none, or when
-/// cancelled, and then leaves the store as it was.
+/// Replays strokes in order, each on its layer, and shows what they make of the whole. The result
+/// does not depend on the number of threads. Fails when a brush is not valid, when a stroke is on a
+/// layer that is not there or on the limit of a surface that has none, or when cancelled, and then
+/// leaves everything as it was.
+/// \param fill     what Erase moves the base towards
 /// \param creases  of the limit surface, beside those of the mesh; see `limitToPaintOn`
+Status replayStrokes(std::span<const RecordedStroke> strokes,
+                     const std::shared_ptr<const Surface>& surface,
+                     std::span<const std::byte> fill,
+                     Layered& painted,
+                     Threads threads,
+                     Progress& progress,
+                     CreaseAngle creases = {});
+
+/// The same on texels without layers.
 Status replayStrokes(std::span<const RecordedStroke> strokes,
                      const std::shared_ptr<const Surface>& surface,
                      std::span<const std::byte> fill,

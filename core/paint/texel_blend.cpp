@@ -2,6 +2,7 @@
 #include "core/paint/texel_blend.h"
 
 #include "core/base/check.h"
+#include "core/layers/coverage.h"
 #include "core/texture/texel_codec.h"
 
 #include <algorithm>
@@ -79,10 +80,45 @@ void spreadOverChannels(const float* coverage,
     }
 }
 
+/// How far each value of a layer's texels moves: the coverage as the stroke covers the texel, the
+/// channels as the stroke's part in what is covered then.
+template <TexelType kType>
+void spreadOverLayer(const std::byte* before,
+                     const float* coverage,
+                     std::size_t texels,
+                     std::size_t channels,
+                     float* values)
+{
+    using Codec = TexelCodec<kType>;
+    using Stored = typename Codec::Stored;
+    const std::size_t last = channels - 1;
+    for (std::size_t k = 0; k < texels; ++k) {
+        const float own =
+            coverageOf(Codec::decoded(loadStored<Stored>(before, k * channels + last)));
+        const float added = coverage[k];
+        const float part = added > 0.0F ? added / (own + added * (1.0F - own)) : 0.0F;
+        std::fill_n(values + k * channels, last, part);
+        values[k * channels + last] = added;
+    }
+}
+
+/// Channels stay, coverage moves.
+void spreadOverCoverage(const float* coverage,
+                        std::size_t texels,
+                        std::size_t channels,
+                        float* values)
+{
+    for (std::size_t k = 0; k < texels; ++k) {
+        std::fill_n(values + k * channels, channels - 1, 0.0F);
+        values[k * channels + channels - 1] = coverage[k];
+    }
+}
+
 } // namespace
 
-TexelBlend::TexelBlend(const TexelFormat& format, std::span<const float> value)
+TexelBlend::TexelBlend(const TexelFormat& format, std::span<const float> value, TexelMix mix)
     : m_format(format)
+    , m_mix(mix)
     , m_chunk(std::min<std::size_t>(64, kChunkValues / format.channels))
 {
     check(value.size() == format.channels, "a value per channel");
@@ -102,7 +138,22 @@ void TexelBlend::blend(std::span<const std::byte> before,
         std::array<float, kChunkValues> spread;
         for (std::size_t done = 0; done < coverage.size(); done += m_chunk) {
             const std::size_t some = std::min(m_chunk, coverage.size() - done);
-            spreadOverChannels(coverage.data() + done, some, m_format.channels, spread.data());
+            const float* covers = coverage.data() + done;
+            switch (m_mix) {
+            case TexelMix::Towards:
+                spreadOverChannels(covers, some, m_format.channels, spread.data());
+                break;
+            case TexelMix::Over:
+                spreadOverLayer<decltype(type)::value>(before.data() + done * texelBytes,
+                                                       covers,
+                                                       some,
+                                                       m_format.channels,
+                                                       spread.data());
+                break;
+            case TexelMix::Uncover:
+                spreadOverCoverage(covers, some, m_format.channels, spread.data());
+                break;
+            }
             blendValues<decltype(type)::value>(before.data() + done * texelBytes,
                                                spread.data(),
                                                m_value.data(),

@@ -36,7 +36,8 @@ std::string errorOf(const std::string& text)
     return strokes ? "" : strokes.error().message;
 }
 
-std::vector<RecordedStroke> scribbles(std::size_t faceCount)
+/// On layers 0 to below a number of them.
+std::vector<RecordedStroke> scribbles(std::size_t faceCount, std::size_t layers = 1)
 {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> part(0, 1);
@@ -52,6 +53,7 @@ std::vector<RecordedStroke> scribbles(std::size_t faceCount)
         brush.pressureToSize = k % 2 == 0;
         brush.pressureToOpacity = k % 3 == 0;
         brush.paintThrough = k == 2;
+        strokes[k].layer = static_cast<std::uint32_t>(layers * k / 6);
         if (k == 1) {
             brush.radius = 1.5F; // half a sphere of radius 1: work for several threads
             brush.spacing = 1;
@@ -95,13 +97,14 @@ TEST(StrokeFile, readsWhatTheDocumentationShows)
 
 TEST(StrokeFile, whatIsWrittenReadsBackEqual)
 {
-    const std::vector<RecordedStroke> strokes = scribbles(20);
+    const std::vector<RecordedStroke> strokes = scribbles(20, 3);
     const auto back = parseStrokes(writeStrokes(strokes), 20);
     ASSERT_TRUE(back) << back.error().message;
     ASSERT_EQ(back->size(), strokes.size());
     for (std::size_t k = 0; k < strokes.size(); ++k) {
         EXPECT_EQ((*back)[k].brush, strokes[k].brush);
         EXPECT_EQ((*back)[k].samples, strokes[k].samples);
+        EXPECT_EQ((*back)[k].layer, strokes[k].layer);
     }
 }
 
@@ -116,7 +119,12 @@ TEST(StrokeFile, errorsNameTheStrokeTheSampleAndTheField)
     EXPECT_EQ(errorOf(with("\"radius\":2,", "")), "stroke 2, brush: radius is missing");
     EXPECT_EQ(errorOf(with("\"world\"", "\"pixel\"")),
               "stroke 1, brush: unit: expected \"world\", found \"pixel\"");
-    EXPECT_EQ(errorOf(with("\"layer\":0", "\"layer\":1")), "stroke 1: layer: expected 0, found 1");
+    EXPECT_EQ(
+        errorOf(with("\"layer\":0", "\"layer\":-1")),
+        "stroke 1: layer: expected 0 for the base or the number of a layer above it, found -1");
+    EXPECT_THAT(errorOf(with("\"layer\":0", "\"layer\":0.5")), HasSubstr("stroke 1: layer:"));
+    EXPECT_THAT(errorOf(with("\"layer\":0", "\"layer\":4294967296")),
+                HasSubstr("stroke 1: layer:"));
     EXPECT_EQ(errorOf(with("\"normal\"", "\"multiply\"")),
               "stroke 1, brush: blend: expected \"normal\" or \"erase\", found \"multiply\"");
     EXPECT_EQ(errorOf(with("\"flow\":1", "\"flow\":1.5")),
@@ -237,4 +245,58 @@ TEST(ReplayStrokes, cancellingAndBadBrushesLeaveTheStoreAsItWas)
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message, HasSubstr("stroke 4, brush: spacing"));
     EXPECT_TRUE(test::sameToTheBit(store, blank));
+}
+
+TEST(ReplayStrokes, eachStrokeChangesItsLayerAndWhatIsShown)
+{
+    const auto surface = test::surfaceOf(test::sphereMesh(2));
+    const auto faces = static_cast<std::uint32_t>(surface->mesh().faceCount());
+    const auto strokes = scribbles(faces, 3);
+    const TexelFormat format;
+    const std::vector<std::byte> fill(format.texelBytes());
+    LayerStack blank(TexelStore(faces, format, Level(5), fill));
+    blank.insert(0, {"", 0.5F, LayerBlend::Multiply, true});
+    blank.insert(1, {});
+    NoProgress progress;
+    Layered painted{blank.base(), blank};
+    ASSERT_TRUE(replayStrokes(strokes, surface, fill, painted, Threads{2}, progress));
+
+    // The strokes of each layer alone, on that layer.
+    LayerStack apart = blank;
+    for (std::size_t k = 0; k < strokes.size(); ++k) {
+        const std::uint32_t layer = strokes[k].layer;
+        const LayerId id = layer == 0 ? kBaseLayer : blank.layers()[layer - 1].id;
+        Stroke stroke(surface, strokes[k].brush, layer == 0 ? Ground(fill) : Ground::layer());
+        for (const StrokeSample& sample : strokes[k].samples) {
+            stroke.add(sample, apart.texels(id));
+        }
+    }
+    for (const LayerId id : {kBaseLayer, blank.layers()[0].id, blank.layers()[1].id}) {
+        EXPECT_FALSE(test::sameToTheBit(painted.layers.texels(id), blank.texels(id)));
+        EXPECT_TRUE(test::sameToTheBit(painted.layers.texels(id), apart.texels(id)));
+    }
+    EXPECT_TRUE(test::sameToTheBit(painted.shown, composed(apart, Threads{2}, progress)->shown));
+}
+
+TEST(ReplayStrokes, aLayerThatIsNotThereIsOneSentenceAndChangesNothing)
+{
+    const auto surface = test::surfaceOf(test::sphereMesh(1));
+    auto strokes = scribbles(80);
+    strokes[2].layer = 2;
+    const std::vector<std::byte> fill(3);
+    const TexelStore blank(80, TexelFormat(), Level(3), fill);
+    TexelStore store = blank;
+    NoProgress progress;
+    const Status plain = replayStrokes(strokes, surface, fill, store, Threads{1}, progress);
+    ASSERT_FALSE(plain);
+    EXPECT_EQ(plain.error().message, "stroke 3: layer 2 is not there; the project has no layers");
+    EXPECT_TRUE(test::sameToTheBit(store, blank));
+
+    LayerStack layers(blank);
+    layers.insert(0, {});
+    Layered painted{blank, layers};
+    const Status layered = replayStrokes(strokes, surface, fill, painted, Threads{1}, progress);
+    ASSERT_FALSE(layered);
+    EXPECT_EQ(layered.error().message, "stroke 3: layer 2 is not there; the project has one layer");
+    EXPECT_TRUE(test::sameToTheBit(painted.shown, blank));
 }

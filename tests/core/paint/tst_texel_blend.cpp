@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -109,4 +110,80 @@ TEST(TexelBlend, integersAreClampedAndRoundTiesToEven)
     TexelBlend({TexelType::UInt8, 2, std::nullopt}, ties).blend(black, std::array{0.5F}, after);
     EXPECT_EQ(after[0], std::byte{2});
     EXPECT_EQ(after[1], std::byte{4});
+}
+
+TEST(TexelBlend, onALayerPaintGoesOverWhatItHolds)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> part(0, 1);
+    for (const TexelType type : kTypes) {
+        for (const int channels : {2, 4, 5, 8}) {
+            const TexelFormat format{type, static_cast<std::uint16_t>(channels), std::nullopt};
+            const auto width = static_cast<std::size_t>(channels);
+            std::vector<float> value(width);
+            std::vector<float> old(200 * width);
+            std::vector<float> coverage(200);
+            for (auto* list : {&value, &old, &coverage}) {
+                std::ranges::generate(*list, [&] { return part(random); });
+            }
+            value.back() = 1;
+            const auto before = encoded(type, old);
+            std::vector<std::byte> after(before.size());
+            TexelBlend(format, value, TexelMix::Over).blend(before, coverage, after);
+            const std::vector<float> from = decoded(type, before);
+            const std::vector<float> to = decoded(type, after);
+            for (std::size_t k = 0; k < coverage.size(); ++k) {
+                const auto a = static_cast<double>(coverage[k]);
+                const auto c = static_cast<double>(from[k * width + width - 1]);
+                const double covered = c + a * (1 - c);
+                const double step = type == TexelType::UInt8 ? 0.502 / 255 : 0.001;
+                EXPECT_NEAR(static_cast<double>(to[k * width + width - 1]), covered, step);
+                for (std::size_t n = 0; n + 1 < width; ++n) {
+                    const auto v = static_cast<double>(from[k * width + n]);
+                    const auto colour = static_cast<double>(value[n]);
+                    const double mixed = (v * c * (1 - a) + colour * a) / covered;
+                    ASSERT_NEAR(static_cast<double>(to[k * width + n]), mixed, step);
+                }
+            }
+        }
+    }
+}
+
+TEST(TexelBlend, onALayerTheFirstPaintIsTheColourItselfHoweverThin)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto before = encoded(TexelType::Float, std::array{nan, 0.3F, 0.0F});
+    std::vector<std::byte> after(before.size());
+    const std::array value{0.7F, 0.1F, 1.0F};
+    const TexelBlend over({TexelType::Float, 3, 2}, value, TexelMix::Over);
+    over.blend(before, std::array{0.01F}, after);
+    EXPECT_EQ(after, encoded(TexelType::Float, std::array{0.7F, 0.1F, 0.01F}));
+}
+
+TEST(TexelBlend, onALayerNoCoverageLeavesTheBitsAloneAndFullStoresTheColourCovered)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const TexelType type : {TexelType::Half, TexelType::Float}) {
+        const auto before = encoded(type, std::array{nan, 0.0F, 0.3F, nan, nan, 0.0F, 0.3F, 0.4F});
+        const std::array coverage{0.0F, 0.0F, 1.0F, 1.0F};
+        std::vector<std::byte> after(before.size());
+        const std::array value{0.7F, 1.0F};
+        TexelBlend({type, 2, 1}, value, TexelMix::Over).blend(before, coverage, after);
+        const auto expected = encoded(type, std::array{0.7F, 1.0F, 0.7F, 1.0F});
+        const auto half = static_cast<std::ptrdiff_t>(before.size() / 2);
+        EXPECT_TRUE(std::equal(before.begin(), before.begin() + half, after.begin()));
+        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), after.begin() + half));
+    }
+}
+
+TEST(TexelBlend, erasingOnALayerMovesItsCoverageAloneAndEndsAtNone)
+{
+    for (const TexelType type : kTypes) {
+        const auto before = encoded(type, std::array{1.0F, 1.0F, 0.2F, 0.6F, 0.2F, 1.0F});
+        std::vector<std::byte> after(before.size());
+        const std::array<float, 2> none{};
+        TexelBlend({type, 2, 1}, none, TexelMix::Uncover)
+            .blend(before, std::array{0.0F, 1.0F, 0.4F}, after);
+        EXPECT_EQ(after, encoded(type, std::array{1.0F, 1.0F, 0.2F, 0.0F, 0.2F, 0.6F}));
+    }
 }
