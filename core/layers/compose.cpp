@@ -3,9 +3,9 @@
 
 #include "core/base/check.h"
 #include "core/layers/face_layers.h"
+#include "core/layers/replace_faces.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace trixel {
@@ -220,9 +220,7 @@ Result<Layered> composedFaces(LayerStack layers,
             continue;
         }
         if (const auto damaged = composer.run()) {
-            return contentsError("face " + std::to_string(indexOf(*damaged)) +
-                                 " could not be read from its file; fill it before layers are put "
-                                 "together there");
+            return unreadFace(*damaged);
         }
         if (!progress.report(static_cast<double>(k + 1) / static_cast<double>(faces.size()))) {
             return cancelled();

@@ -10,25 +10,32 @@
 #include "core/mesh/adjacency.h"
 #include "core/texture/texel_patch.h"
 
-#include <string>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace trixel {
 
 /// The stack with a layer merged into what lies below it, the base or a layer, which keeps its
-/// place, name and blend mode; its opacity becomes part of its coverage. Looks as before where the
-/// lower one is the base, or Normal with nothing but the base below it hidden by neither (rounding
-/// apart); a hidden layer is not merged (checked).
+/// place, name and blend mode; its opacity becomes part of its coverage. Looks as before, rounding
+/// and what integers cut off apart, where the lower one is the base, where both are Normal, and
+/// where a Normal lower one covers all: elsewhere the upper one has less to blend with. A hidden
+/// layer is not merged (checked). Fails when cancelled and when a face could not be read.
 /// Source: W3C, Compositing and Blending Level 1, sections 5 and 9.1.
 Result<LayerStack>
 mergedDown(LayerStack layers, LayerId layer, Threads threads, Progress& progress);
 
 /// The stack at other levels: the base by `changeLevels`, layers likewise with their values
-/// weighted by coverage, so that what covers nothing lends no colour.
+/// weighted by coverage, so that what covers nothing lends no colour. Fails as `changeLevels`.
 Result<LayerStack> withLevels(LayerStack layers,
                               const Adjacency& adjacency,
                               const FaceMap<Level>& levels,
                               Threads threads,
                               Progress& progress);
+
+/// The bytes of a layer's texel that covers all with a texel of the base: what fills of a layer
+/// need.
+std::vector<std::byte> coveringTexel(const TexelFormat& base, std::span<const std::byte> texel);
 
 /// A layer's texels from what a patch would do to texels that are shown: full coverage where it
 /// changes a texel, none elsewhere. \param patch  to come; keeps levels (checked)

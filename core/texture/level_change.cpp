@@ -87,16 +87,36 @@ private:
     VertexRings m_rings;
 };
 
-TexelStore cutOut(const TexelStore& store, std::span<const FaceId> faces)
+TexelStore cutOut(const TexelStore& store,
+                  std::span<const FaceId> faces,
+                  const AveragedAs* averaged,
+                  Threads threads)
 {
+    const TexelFormat& format = averaged != nullptr ? averaged->format : store.format();
+    std::vector<FaceTexels> texels(faces.size());
+    parallelFor(faces.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const FaceTexels& face = store.face(faces[k]);
+            texels[k] = averaged != nullptr ? averaged->into(*PinnedFace(face)) : face;
+        }
+    });
     TexelStore part(static_cast<std::uint32_t>(faces.size()),
-                    store.format(),
+                    format,
                     Level(0),
-                    std::vector<std::byte>(store.format().texelBytes()));
+                    std::vector<std::byte>(format.texelBytes()));
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
-        part.exchange(faceId(f), store.face(faces[f]));
+        part.exchange(faceId(f), std::move(texels[f]));
     }
     return part;
+}
+
+/// The face at its new level, as the store has it. \param there  its texels as averaged
+FaceTexels broughtBack(const FaceTexels& before, FaceTexels there, const AveragedAs* averaged)
+{
+    if (averaged == nullptr) {
+        return there;
+    }
+    return before.isConstant() ? before.atLevel(there.level()) : averaged->outOf(there);
 }
 
 /// What stands in for a face that could not be read is not to be taken for paint.
@@ -139,6 +159,7 @@ Result<std::vector<FaceTexels>> grown(const TexelStore& store,
                                       const Adjacency& adjacency,
                                       std::span<const FaceId> faces,
                                       const FaceMap<Level>& levels,
+                                      const AveragedAs* averaged,
                                       Threads threads,
                                       Progress& progress)
 {
@@ -146,7 +167,7 @@ Result<std::vector<FaceTexels>> grown(const TexelStore& store,
         return std::vector<FaceTexels>();
     }
     const Cutout cutout(adjacency, faces);
-    TexelStore part = cutOut(store, cutout.faces());
+    TexelStore part = cutOut(store, cutout.faces(), averaged, threads);
     std::vector<std::uint32_t> left(faces.size());
     for (std::uint32_t k = 0; k < faces.size(); ++k) {
         left[k] = k;
@@ -166,7 +187,7 @@ Result<std::vector<FaceTexels>> grown(const TexelStore& store,
         parallelFor(left.size(), 8, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 const PinnedFace pin(part.face(faceId(left[k])));
-                finer[k] = refinedBy(*pyramid, store.format(), *pin, faceId(left[k]));
+                finer[k] = refinedBy(*pyramid, part.format(), *pin, faceId(left[k]));
             }
         });
         for (std::size_t k = 0; k < left.size(); ++k) {
@@ -177,16 +198,19 @@ Result<std::vector<FaceTexels>> grown(const TexelStore& store,
     if (Status status = checkRead(store, cutout.faces()); !status) {
         return tl::unexpected(status.error());
     }
-    std::vector<FaceTexels> result;
-    for (std::uint32_t k = 0; k < faces.size(); ++k) {
-        result.push_back(part.face(faceId(k)));
-    }
+    std::vector<FaceTexels> result(faces.size());
+    parallelFor(faces.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            result[k] = broughtBack(store.face(faces[k]), part.face(faceId(k)), averaged);
+        }
+    });
     return result;
 }
 
 Result<std::vector<FaceTexels>> shrunk(const TexelStore& store,
                                        std::span<const FaceId> faces,
                                        const FaceMap<Level>& levels,
+                                       const AveragedAs* averaged,
                                        Threads threads,
                                        Progress& progress)
 {
@@ -200,8 +224,11 @@ Result<std::vector<FaceTexels>> shrunk(const TexelStore& store,
         parallelFor(count, 16, threads, [&](std::size_t from, std::size_t to) {
             for (std::size_t k = begin + from; k < begin + to; ++k) {
                 const FaceTexels& face = store.face(faces[k]);
-                result[k] =
-                    reduced(store.format(), face, face.level().log2() - levels[faces[k]].log2());
+                const int steps = face.level().log2() - levels[faces[k]].log2();
+                result[k] = averaged == nullptr || face.isConstant()
+                                ? reduced(store.format(), face, steps)
+                                : averaged->outOf(reduced(
+                                      averaged->format, averaged->into(*PinnedFace(face)), steps));
             }
         });
     }
@@ -274,7 +301,8 @@ Result<TexelPatch> changeLevels(TexelStore& store,
                                 const Adjacency& adjacency,
                                 const FaceMap<Level>& levels,
                                 Threads threads,
-                                Progress& progress)
+                                Progress& progress,
+                                const AveragedAs* averaged)
 {
     check(levels.size() == store.faceCount() && adjacency.faceCount() == store.faceCount(),
           "a level for every face");
@@ -287,12 +315,12 @@ Result<TexelPatch> changeLevels(TexelStore& store,
         }
     }
     StageProgress growing(progress, 0, 0.7);
-    auto grownTexels = grown(store, adjacency, finer, levels, threads, growing);
+    auto grownTexels = grown(store, adjacency, finer, levels, averaged, threads, growing);
     if (!grownTexels) {
         return tl::unexpected(grownTexels.error());
     }
     StageProgress shrinking(progress, 0.7, 1);
-    auto shrunkTexels = shrunk(store, coarser, levels, threads, shrinking);
+    auto shrunkTexels = shrunk(store, coarser, levels, averaged, threads, shrinking);
     if (!shrunkTexels) {
         return tl::unexpected(shrunkTexels.error());
     }

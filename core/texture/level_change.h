@@ -11,6 +11,7 @@
 #include "core/texture/texel_store.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace trixel {
@@ -48,15 +49,26 @@ changedLevels(const TexelStore& store, std::span<const FaceId> faces, LevelChang
 /// \param levels  one a face (checked)
 LevelCost levelCost(const TexelStore& store, const FaceMap<Level>& levels);
 
+/// Texels in another form, in which means are those that are wanted.
+struct AveragedAs
+{
+    TexelFormat format;
+    /// Into that form and out of it, at the face's own level, from several threads; faces of one
+    /// value stay such.
+    std::function<FaceTexels(const FaceTexels&)> into, outOf;
+};
+
 /// Brings every face to its level: coarser by `reduced`, finer by `refined`, one level at a time,
 /// all from the texels as they were. Constant faces stay constant. Returns what was replaced, so
 /// that swapping it is undo. Cost follows the faces that change and those around them. Fails
 /// when cancelled or when one of these could not be read, and then leaves the store as it was.
-/// \param levels  one a face (checked)
+/// \param levels    one a face (checked)
+/// \param averaged  null for texels that are averaged as they are
 Result<TexelPatch> changeLevels(TexelStore& store,
                                 const Adjacency& adjacency,
                                 const FaceMap<Level>& levels,
                                 Threads threads,
-                                Progress& progress);
+                                Progress& progress,
+                                const AveragedAs* averaged = nullptr);
 
 } // namespace trixel
