@@ -142,43 +142,132 @@ Result<TexelStore> withChannels(const TexelStore& texels,
         progress);
 }
 
+void forgetFill(Project& project)
+{
+    std::erase_if(project.metadata, [](const PtxMetadata& item) { return item.key == kFillKey; });
+}
+
+/// The layer's texels, their coverage times its opacity.
+Result<TexelStore>
+layerAlone(const LayerStack& layers, LayerId layer, Threads threads, Progress& progress)
+{
+    if (layer == kBaseLayer) {
+        return layers.base();
+    }
+    const TexelStore& texels = layers.texels(layer);
+    const TexelFormat format = texels.format();
+    const float opacity = layers.settings(layer).opacity;
+    const auto weighted = [format, opacity](const FaceTexels& face) {
+        const std::size_t size = byteSize(format.type);
+        std::vector<std::byte> bytes(face.bytes().begin(), face.bytes().end());
+        for (std::size_t end = format.texelBytes(); end <= bytes.size();
+             end += format.texelBytes()) {
+            const std::span<std::byte> coverage = std::span(bytes).subspan(end - size, size);
+            float value = 0;
+            decode(format.type, coverage, {&value, 1});
+            value *= opacity;
+            encode(format.type, {&value, 1}, coverage);
+        }
+        return face.isConstant() ? FaceTexels::constant(face.level(), bytes)
+                                 : FaceTexels::full(face.level(), format.texelBytes(), bytes);
+    };
+    return texels.transformed(format, weighted, threads, progress);
+}
+
+/// The project as if the layer was all of it.
+Result<Project> ofLayer(const Project& project, LayerId layer, Threads threads, Progress& progress)
+{
+    auto texels = layerAlone(project.layers, layer, threads, progress);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    Project result = project;
+    result.layers = {};
+    result.texels = std::move(*texels);
+    if (layer == kBaseLayer) {
+        return result;
+    }
+    forgetFill(result);
+    forgetChannelColors(result);
+    if (auto declared = channelColors(project)) {
+        declared->push_back(ColorSpace::Raw); // of the coverage
+        declareChannelColors(result, *declared);
+    }
+    return result;
+}
+
+Status pickFaces(Project& project, std::span<const FaceId> faces, Progress& progress)
+{
+    auto surface = Surface::build(meshOfFaces(project.surface->mesh(), faces), progress);
+    if (!surface) {
+        return tl::unexpected(surface.error());
+    }
+    project.surface = std::move(*surface);
+    project.texels = texelsOf(project.texels, faces);
+    return {};
+}
+
+Status pickChannels(Project& project,
+                    const std::vector<std::uint16_t>& channels,
+                    Threads threads,
+                    Progress& progress)
+{
+    const auto declared = channelColors(project);
+    auto texels = withChannels(project.texels, channels, threads, progress);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    project.texels = std::move(*texels);
+    forgetFill(project);
+    forgetChannelColors(project);
+    if (declared) {
+        std::vector<ColorSpace> picked;
+        for (const std::uint16_t channel : channels) {
+            picked.push_back((*declared)[channel]);
+        }
+        declareChannelColors(project, picked);
+    }
+    return {};
+}
+
+/// What faces and channels are picked from: what is shown, or one layer.
+Result<Project>
+wholeOf(const Project& project, const ProjectPart& part, Threads threads, Progress& progress)
+{
+    if (part.layer && !project.layers.has(*part.layer)) {
+        return contentsError("the layer is not one of the project's");
+    }
+    if (part.layer && !project.layers.isPlain()) {
+        return ofLayer(project, *part.layer, threads, progress);
+    }
+    Project shown = project;
+    shown.layers = {};
+    return shown;
+}
+
 } // namespace
 
 Result<Project>
 partOf(const Project& project, const ProjectPart& part, Threads threads, Progress& progress)
 {
-    if (const Status usable = checkPart(project, part); !usable) {
+    StageProgress choosing(progress, 0, 0.3);
+    auto result = wholeOf(project, part, threads, choosing);
+    if (!result) {
+        return result;
+    }
+    if (const Status usable = checkPart(*result, part); !usable) {
         return tl::unexpected(usable.error());
     }
-    Project result = project;
-    StageProgress building(progress, 0, 0.5);
+    StageProgress building(progress, 0.3, 0.6);
+    StageProgress picking(progress, 0.6, 1);
+    Status picked;
     if (!part.faces.empty()) {
-        auto surface = Surface::build(meshOfFaces(project.surface->mesh(), part.faces), building);
-        if (!surface) {
-            return tl::unexpected(surface.error());
-        }
-        result.surface = std::move(*surface);
-        result.texels = texelsOf(project.texels, part.faces);
+        picked = pickFaces(*result, part.faces, building);
     }
-    if (!part.channels.empty()) {
-        StageProgress picking(progress, 0.5, 1);
-        auto texels = withChannels(result.texels, part.channels, threads, picking);
-        if (!texels) {
-            return tl::unexpected(texels.error());
-        }
-        result.texels = std::move(*texels);
-        forgetChannelColors(result);
-        if (const auto declared = channelColors(project)) {
-            std::vector<ColorSpace> picked;
-            for (const std::uint16_t channel : part.channels) {
-                picked.push_back((*declared)[channel]);
-            }
-            declareChannelColors(result, picked);
-        }
-        std::erase_if(result.metadata,
-                      [](const PtxMetadata& item) { return item.key == kFillKey; });
+    if (picked && !part.channels.empty()) {
+        picked = pickChannels(*result, part.channels, threads, picking);
     }
-    return result;
+    return picked ? std::move(result) : tl::unexpected(picked.error());
 }
 
 } // namespace trixel

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/channel_colors.h"
 #include "core/io/new_project.h"
+#include "core/io/project_metadata.h"
 #include "core/io/project_part.h"
+#include "core/layers/compose.h"
 #include "tests/core/test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +108,81 @@ TEST(ProjectPart, whatChannelsMeanGoesWithThem)
     EXPECT_THAT(pick({{}, {3, 1}}), testing::ElementsAre(Raw, SRgb));
     EXPECT_THAT(pick({{}, {1, 0, 3, 2}}), testing::ElementsAre(SRgb, Linear, Raw, Linear));
     EXPECT_THAT(pick({{faceId(4)}, {}}), testing::ElementsAre(Linear, SRgb, Linear, Raw));
+}
+
+/// The numbered project as the base, and a layer over it, half of which is covered by a half.
+Project layered()
+{
+    Project project = numbered();
+    LayerStack layers(project.texels);
+    const LayerId layer = layers.insert(0, {"Over", 0.5F});
+    const TexelFormat format = layers.texels(layer).format();
+    for (std::size_t f = 0; f < 80; f += 2) {
+        std::uint8_t next = 0;
+        for (std::byte& value : layers.texels(layer).writable(faceId(f))) {
+            const std::size_t channel = next++ % 5U;
+            value = std::byte{static_cast<std::uint8_t>(channel == 4 ? 128 : 10 * channel)};
+        }
+    }
+    EXPECT_EQ(format.alpha, 4);
+    NoProgress progress;
+    Layered all = *composed(std::move(layers), Threads{1}, progress);
+    project.texels = std::move(all.shown);
+    project.layers = std::move(all.layers);
+    return project;
+}
+
+TEST(ProjectPart, ofAProjectWithLayersIsWhatIsShownUnlessOneIsAskedFor)
+{
+    const Project whole = layered();
+    NoProgress progress;
+    const auto shown = partOf(whole, {{faceId(4)}, {}}, Threads{1}, progress);
+    ASSERT_TRUE(shown);
+    EXPECT_TRUE(shown->layers.isPlain());
+    EXPECT_EQ(shown->texels.face(faceId(0)), whole.texels.face(faceId(4)));
+    EXPECT_TRUE(partOf(whole, {}, Threads{1}, progress)->layers.isPlain());
+    const auto base = partOf(whole, {{faceId(4)}, {}, kBaseLayer}, Threads{1}, progress);
+    ASSERT_TRUE(base);
+    EXPECT_EQ(base->texels.face(faceId(0)), whole.layers.base().face(faceId(4)));
+    EXPECT_EQ(base->texels.format(), whole.texels.format());
+    EXPECT_EQ(fillOf(*base), fillOf(whole));
+}
+
+TEST(ProjectPart, aLayerAloneHasItsChannelsAndWhatItPaintsAsOpacity)
+{
+    using enum ColorSpace;
+    Project whole = layered();
+    declareChannelColors(whole, {Linear, SRgb, Linear, Raw});
+    const LayerId over = whole.layers.layers()[0].id;
+    NoProgress progress;
+    const auto layer = partOf(whole, {{}, {}, over}, Threads{2}, progress);
+    ASSERT_TRUE(layer);
+    EXPECT_TRUE(layer->layers.isPlain());
+    EXPECT_EQ(layer->texels.format(), (TexelFormat{TexelType::UInt8, 5, 4}));
+    EXPECT_EQ(layer->texels.face(faceId(2)).texel(3)[1], std::byte{10});
+    EXPECT_EQ(layer->texels.face(faceId(2)).texel(3)[4], std::byte{64}); // half of 128
+    EXPECT_TRUE(layer->texels.face(faceId(1)).isConstant());
+    EXPECT_EQ(layer->texels.face(faceId(1)).texel(0)[4], std::byte{0});
+    EXPECT_THAT(channelColors(*layer).value(),
+                testing::ElementsAre(Linear, SRgb, Linear, Raw, Raw));
+    for (const PtxMetadata& item : layer->metadata) {
+        EXPECT_NE(item.key, kFillKey);
+    }
+    const auto coverage = partOf(whole, {{faceId(2)}, {4}, over}, Threads{1}, progress);
+    ASSERT_TRUE(coverage);
+    EXPECT_EQ(coverage->texels.format(), (TexelFormat{TexelType::UInt8, 1, 0}));
+    EXPECT_EQ(coverage->texels.face(faceId(0)).texel(0)[0], std::byte{64});
+}
+
+TEST(ProjectPart, aPlainProjectIsItsBase)
+{
+    const Project whole = numbered();
+    NoProgress progress;
+    const auto base = partOf(whole, {{}, {}, kBaseLayer}, Threads{1}, progress);
+    ASSERT_TRUE(base);
+    EXPECT_EQ(base->texels.face(faceId(2)), whole.texels.face(faceId(2)));
+    EXPECT_EQ(partOf(whole, {{}, {}, LayerId{1}}, Threads{1}, progress).error().message,
+              "the layer is not one of the project's");
 }
 
 TEST(ProjectPart, whatDoesNotExistIsNamed)
