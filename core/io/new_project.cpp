@@ -10,7 +10,6 @@
 namespace trixel {
 namespace {
 
-
 std::vector<std::byte> encoded(const TexelFormat& format, std::span<const float> values)
 {
     std::vector<std::byte> texel(format.texelBytes());
@@ -81,8 +80,9 @@ std::vector<std::byte> fillOf(const Project& project)
     if (const std::vector<float>* fill = recordedFill(project)) {
         return encoded(format, *fill);
     }
-    for (std::uint32_t i = 0; i < project.texels.faceCount(); ++i) {
-        const FaceTexels& face = project.texels.face(faceId(i));
+    const TexelStore& painted = project.layers.isPlain() ? project.texels : project.layers.base();
+    for (std::uint32_t i = 0; i < painted.faceCount(); ++i) {
+        const FaceTexels& face = painted.face(faceId(i));
         if (face.isConstant()) {
             return {face.bytes().begin(), face.bytes().end()};
         }

@@ -30,7 +30,7 @@ Result<Project> newProject(TriangleMesh mesh,
 std::uint64_t defaultTexelTotal(std::size_t faceCount);
 
 /// The bytes of one texel of the colour the project began with: as its metadata say, else as its
-/// first constant face, else 1 in every channel.
+/// first constant face (of the base, below layers), else 1 in every channel.
 std::vector<std::byte> fillOf(const Project& project);
 
 } // namespace trixel

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A .trixel project is a .ptx whose metadata hold the mesh and the project's version, until the
-// project file proper takes its place behind this interface.
+// project file proper takes its place behind this interface. Its texels are what is shown, or, of a
+// project with layers, these side by side (layered_texels.h).
 #include "core/io/project.h"
 
+#include "core/io/layered_texels.h"
+#include "core/io/layers_metadata.h"
+#include "core/io/open_paint.h"
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_mesh_match.h"
@@ -78,16 +82,17 @@ Result<Project> assemble(const std::filesystem::path& path,
         return tl::unexpected(status.error());
     }
     StageProgress reading(progress, 0.4, 1);
-    auto texels =
-        openTexels(std::move(opened.file), path.string(), options, opened.budget, reading);
-    if (!texels) {
-        return tl::unexpected(texels.error());
+    auto paint = openPaint(
+        std::move(opened.file), path.string(), opened.metadata, options, opened.budget, reading);
+    if (!paint) {
+        return tl::unexpected(paint.error());
     }
     return Project{std::move(*surface),
-                   std::move(texels->texels),
+                   std::move(paint->texels),
                    withoutMesh(std::move(opened.metadata)),
-                   std::move(texels->faces),
-                   *creases};
+                   std::move(paint->faces),
+                   *creases,
+                   std::move(paint->layers)};
 }
 
 Result<Project> openWithOwnMesh(const std::filesystem::path& path,
@@ -136,13 +141,24 @@ openProject(const std::filesystem::path& path, Progress& progress, const OpenOpt
                              std::to_string(*version) + ", this Trixel opens versions up to " +
                              std::to_string(kProjectVersion));
     }
+    if (*version >= kLayersVersion && findMetadata(opened->metadata, kLayersKey) == nullptr) {
+        return contentsError(path.string() + ": is a project of version " +
+                             std::to_string(*version) + ", but does not name its layers (" +
+                             kLayersKey + ")");
+    }
     return openWithOwnMesh(path, std::move(*opened), options, progress);
 }
 
 Status saveProject(const std::filesystem::path& path, const Project& project, Progress& progress)
 {
     PtxContents contents = contentsOf(project);
-    contents.metadata.push_back({kProjectVersionKey, std::vector<std::int32_t>{kProjectVersion}});
+    const bool isPlain = project.layers.isPlain();
+    if (!isPlain) {
+        contents.texels = sideBySide(project.layers);
+        contents.metadata.push_back(metadataOf(project.layers.layers()));
+    }
+    contents.metadata.push_back(
+        {kProjectVersionKey, std::vector<std::int32_t>{isPlain ? kPlainVersion : kLayersVersion}});
     return writePtx(path, contents, {.mips = false}, progress);
 }
 
@@ -182,13 +198,20 @@ Result<Project> openPtxOnMesh(const std::filesystem::path& path,
 Result<OpenedTexels>
 openPtxTexels(const std::filesystem::path& path, Progress& progress, const OpenOptions& options)
 {
-    MemoryBudget budget;
-    auto file = openPtxFile(path, budget);
-    if (!file) {
-        return tl::unexpected(file.error());
+    auto opened = openFile(path);
+    if (!opened) {
+        return tl::unexpected(opened.error());
     }
-    auto texels = openTexels(std::move(*file), path.string(), options, budget, progress);
-    return texels ? std::move(texels) : inFile(path, texels.error());
+    auto paint = openPaint(std::move(opened->file),
+                           path.string(),
+                           opened->metadata,
+                           options,
+                           opened->budget,
+                           progress);
+    if (!paint) {
+        return inFile(path, paint.error());
+    }
+    return OpenedTexels{std::move(paint->texels), std::move(paint->faces)};
 }
 
 Status exportPtx(const std::filesystem::path& path,

@@ -33,10 +33,11 @@ struct Project
 };
 
 /// Opens a `.trixel` project. Errors name the file; a newer version is refused. Of large files only
-/// the structure is read: see `OpenOptions` and stored_faces.h.
+/// the structure is read: see `OpenOptions` and stored_faces.h; those with layers are read whole.
 Result<Project>
 openProject(const std::filesystem::path& path, Progress& progress, const OpenOptions& options = {});
-/// Fails, as `exportPtx` does, if a face could not be read from the file it lies in.
+/// Writes a project with its layers, where it has some. Fails, as `exportPtx` does, if a face could
+/// not be read from the file it lies in.
 Status saveProject(const std::filesystem::path& path, const Project& project, Progress& progress);
 
 /// Opens a `.ptx` that carries its mesh (the PtexFaceVert… metadata).
@@ -51,12 +52,14 @@ Result<Project> openPtxOnMesh(const std::filesystem::path& path,
                               Progress& progress,
                               const OpenOptions& options = {});
 
-/// Opens the texels of a `.ptx` without a mesh, in the same way.
+/// Opens the texels of a `.ptx` without a mesh, in the same way; of a file with layers what these
+/// look like together.
 Result<OpenedTexels> openPtxTexels(const std::filesystem::path& path,
                                    Progress& progress,
                                    const OpenOptions& options = {});
 
-/// Writes the project's texels as .ptx with its mesh in the metadata. Bookmarked views stay behind.
+/// Writes the project's texels, as they are shown, as .ptx with its mesh in the metadata. Layers
+/// and bookmarked views stay behind.
 Status exportPtx(const std::filesystem::path& path,
                  const Project& project,
                  const PtxWriteOptions& options,

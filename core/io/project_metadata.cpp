@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/project_metadata.h"
 
+#include "core/io/layers_metadata.h"
 #include "core/io/ptx_metadata.h"
 #include "core/io/sharpness_metadata.h"
 
@@ -206,7 +207,8 @@ std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items)
                             kSharpVerticesKey,
                             kVertexSharpnessKey,
                             kCreaseAngleKey,
-                            kCornerUvsKey}) {
+                            kCornerUvsKey,
+                            kLayersKey}) {
         removeMetadata(items, key);
     }
     return items;

@@ -32,8 +32,11 @@ inline constexpr const char* kCornerUvsKey = "TrixelCornerUvs";
 /// The text of a cameras file: the project's bookmarked views.
 inline constexpr const char* kViewsKey = "TrixelViews";
 
-/// The newest version of project that can be opened, and the one that is written.
-inline constexpr int kProjectVersion = 1;
+/// The version of projects without layers, and of those with some.
+inline constexpr int kPlainVersion = 1;
+inline constexpr int kLayersVersion = 2;
+/// The newest version of project that can be opened.
+inline constexpr int kProjectVersion = kLayersVersion;
 
 /// Whether the three keys of a mesh are all there.
 bool carriesMesh(std::span<const PtxMetadata> items);
@@ -49,7 +52,7 @@ std::vector<PtxMetadata> metadataOf(const TriangleMesh& mesh);
 /// The version of the project, or nothing if the items do not make one.
 std::optional<int> projectVersionOf(std::span<const PtxMetadata> items);
 
-/// The items without those that keep the mesh and its creases and make a project.
+/// The items without those that keep the mesh and its creases, name layers and make a project.
 std::vector<PtxMetadata> withoutMesh(std::vector<PtxMetadata> items);
 
 } // namespace trixel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ptx_check.h"
 
+#include "core/io/layers_metadata.h"
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_face_checker.h"
 #include "core/io/ptx_mesh_match.h"
@@ -88,13 +89,17 @@ void checkMesh(const PtxFile& file, const TriangleMesh& mesh, PtxFaultList& faul
     });
 }
 
-// The mesh that the file carries, if it carries one that can be used.
-std::optional<TriangleMesh> ownMesh(const PtxFile& file, MemoryBudget& budget, PtxFaultList& faults)
+// Looks at the metadata. Gives the mesh that the file carries, if it carries one that can be used.
+std::optional<TriangleMesh>
+checkMetadata(const PtxFile& file, MemoryBudget& budget, PtxFaultList& faults)
 {
     const auto items = file.metadata(budget);
     if (!items) {
         faults.add(PtxFault::Metadata, 0, items.error().message);
         return std::nullopt;
+    }
+    if (const auto shown = shownFormat(file.format(), *items); !shown) {
+        faults.add(PtxFault::Metadata, 0, shown.error().message);
     }
     if (!carriesMesh(*items)) {
         return std::nullopt;
@@ -139,7 +144,7 @@ checkPtx(const std::filesystem::path& path, const PtxCheckOptions& options, Prog
         return tl::unexpected(file.error());
     }
     PtxFaultList faults(options.maxFaultsOfAKind);
-    const std::optional<TriangleMesh> own = ownMesh(*file, budget, faults);
+    const std::optional<TriangleMesh> own = checkMetadata(*file, budget, faults);
     checkLinks(*file, faults);
     checkFlags(*file, faults);
     if (options.mesh != nullptr || own) {

@@ -24,8 +24,8 @@ struct PtxCheckOptions
 /// Reads the whole file and lists what is wrong with it, each fault a sentence; an empty list means
 /// a sound file: every block of every level unzips, links between faces hold from both sides,
 /// constant faces and flags tell the truth, reductions and averages follow from the texels (rounded
-/// to nearest or, as the reference library does, down), and the mesh, if any, has the same faces in
-/// the same order and winding.
+/// to nearest or, as the reference library does, down), the mesh, if any, has the same faces in the
+/// same order and winding, and layers, if it names some, are those of the texels.
 /// Fails where the path cannot be read (kind Path) or the file cannot be opened at all (Contents).
 Result<std::vector<std::string>>
 checkPtx(const std::filesystem::path& path, const PtxCheckOptions& options, Progress& progress);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ptx_rematch.h"
 
+#include "core/io/open_paint.h"
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_mesh_match.h"
 #include "core/io/ptx_reader.h"
 #include "core/io/sharpness_metadata.h"
+#include "core/layers/compose.h"
 #include "core/texture/rearranged_faces.h"
 
 #include <algorithm>
@@ -47,6 +49,40 @@ tl::unexpected<Error> inFile(const std::filesystem::path& path, const Error& err
 {
     return error.kind == ErrorKind::Contents ? prefixed(path.string(), error)
                                              : tl::unexpected(error);
+}
+
+/// Every layer's faces, and what they look like together.
+Result<Layered> rearranged(LayerStack layers, const FaceMatch& match, Progress& progress)
+{
+    std::vector<LayerId> all{kBaseLayer};
+    for (const Layer& layer : layers.layers()) {
+        all.push_back(layer.id);
+    }
+    const auto share = 1.0 / static_cast<double>(all.size() + 1);
+    double begin = 0;
+    for (const LayerId layer : all) {
+        StageProgress moving(progress, begin, begin + share);
+        auto texels = rearranged(layers.texels(layer), match, Threads::all(), moving);
+        if (!texels) {
+            return tl::unexpected(texels.error());
+        }
+        layers.texels(layer) = std::move(*texels);
+        begin += share;
+    }
+    StageProgress composing(progress, begin, 1);
+    return composed(std::move(layers), Threads::all(), composing);
+}
+
+Status rearrange(OpenedPaint& paint, const FaceMatch& match, Progress& progress)
+{
+    if (paint.layers.isPlain()) {
+        return rearranged(paint.texels, match, Threads::all(), progress)
+            .map([&](TexelStore&& texels) { paint.texels = std::move(texels); });
+    }
+    return rearranged(std::move(paint.layers), match, progress).map([&](Layered&& layered) {
+        paint.texels = std::move(layered.shown);
+        paint.layers = std::move(layered.layers);
+    });
 }
 
 } // namespace
@@ -151,23 +187,22 @@ Result<MatchedPtx> openPtxMatched(const std::filesystem::path& path,
         return inFile(path, match.error());
     }
     StageProgress reading(progress, 0.4, 0.8);
-    auto opened = openTexels(std::move(*file), path.string(), options, budget, reading);
+    auto opened = openPaint(std::move(*file), path.string(), *metadata, options, budget, reading);
     if (!opened) {
         return inFile(path, opened.error());
     }
     if (match->by != MatchedBy::Order) {
         StageProgress moving(progress, 0.8, 1);
-        auto texels = rearranged(opened->texels, match->faces, Threads::all(), moving);
-        if (!texels) {
-            return inFile(path, texels.error());
+        if (Status moved = rearrange(*opened, match->faces, moving); !moved) {
+            return inFile(path, moved.error());
         }
-        opened->texels = std::move(*texels);
     }
     return MatchedPtx{{std::move(surface),
                        std::move(opened->texels),
                        withoutMesh(std::move(*metadata)),
                        std::move(opened->faces),
-                       *creases},
+                       *creases,
+                       std::move(opened->layers)},
                       std::move(*match),
                       hasMips};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ptx_summary.h"
 
+#include "core/io/layers_metadata.h"
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_file.h"
 #include "core/io/ptx_reader.h"
@@ -44,8 +45,14 @@ Result<PtxSummary> summarisePtx(const std::filesystem::path& path)
     if (!items) {
         return prefixed(path.string(), items.error());
     }
+    auto layers = layersOf(*items);
+    const auto format = shownFormat(file->format(), *items);
+    if (!layers || !format) {
+        return prefixed(path.string(), layers ? format.error() : layers.error());
+    }
     PtxSummary summary;
-    summary.format = file->format();
+    summary.format = *format;
+    summary.layers = std::move(*layers);
     summary.faceCount = file->faceCount();
     summary.levelCount = file->levelCount();
     countFaces(*file, summary);

@@ -3,6 +3,7 @@
 
 #include "core/base/level.h"
 #include "core/base/result.h"
+#include "core/layers/layer.h"
 #include "core/texture/texel_format.h"
 
 #include <array>
@@ -25,7 +26,8 @@ struct PtxSummary
         std::string text;        ///< the value of a string
     };
 
-    TexelFormat format;
+    TexelFormat format; ///< of what is shown: of a project with layers, that of its base
+    std::vector<LayerSettings> layers; ///< bottom to top
     std::uint32_t faceCount = 0;
     int levelCount = 0; ///< stored levels; 1 without reductions
     std::array<std::uint32_t, Level::kMax + 1> facesOfLevel{};
@@ -33,7 +35,7 @@ struct PtxSummary
     std::uint32_t editedFaces = 0; ///< replaced by edits appended to the file
     std::uint64_t texelCount = 0;  ///< 4^n a face, constant or not
     std::uint64_t fileBytes = 0;
-    std::uint64_t texelBytes = 0; ///< in memory, constant faces as one texel
+    std::uint64_t texelBytes = 0; ///< in memory, constant faces as one texel; with all layers
     std::vector<Item> metadata;
     bool carriesMesh = false; ///< the metadata have the mesh
     bool isProject = false;   ///< the metadata make it a .trixel project

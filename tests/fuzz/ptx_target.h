@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/io/layered_texels.h"
+#include "core/io/layers_metadata.h"
 #include "core/io/project_metadata.h"
 #include "core/io/ptx_reader.h"
 #include "core/io/ptx_stored_faces.h"
@@ -38,7 +40,20 @@ inline void readPtxFaceByFace(std::string_view bytes, std::uint64_t most)
     (void)opened->texels.checkWhole();
 }
 
-/// Reads everything there is to read of a .ptx: every level of every face, metadata, links, mesh.
+/// Takes the texels for those of layers, if the metadata name some.
+inline void
+readLayersOfPtx(const PtxFile& file, std::span<const PtxMetadata> metadata, std::uint64_t most)
+{
+    auto settings = layersOf(metadata);
+    if (settings && !settings->empty()) {
+        NoProgress progress;
+        MemoryBudget budget(most);
+        (void)readLayers(file, std::move(*settings), budget, Threads{1}, progress);
+    }
+}
+
+/// Reads everything there is to read of a .ptx: every level of every face, metadata, links, mesh,
+/// layers.
 inline void readAllOfPtx(std::string_view bytes)
 {
     constexpr std::uint64_t kBudgetBytes = std::uint64_t{4} << 20U;
@@ -51,6 +66,9 @@ inline void readAllOfPtx(std::string_view bytes)
     const auto contents = readContents(*file, budget, progress);
     if (contents && carriesMesh(contents->metadata)) {
         (void)meshOf(contents->metadata, file->faceCount());
+    }
+    if (contents) {
+        readLayersOfPtx(*file, contents->metadata, kBudgetBytes);
     }
     readPtxFaceByFace(bytes, kBudgetBytes);
     PtxDecoder decoder;

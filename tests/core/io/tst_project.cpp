@@ -213,7 +213,7 @@ TEST_F(ProjectFile, aNewerVersionIsRefused)
     const auto opened = openProject(m_ptx, m_progress);
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().kind, ErrorKind::Contents);
-    EXPECT_THAT(opened.error().message, HasSubstr("version 2"));
+    EXPECT_THAT(opened.error().message, HasSubstr("version 3"));
 }
 
 TEST_F(ProjectFile, aTextureIsNoProject)
