@@ -59,6 +59,12 @@ Change changeOf(const TexelPatch& patch, const TexelStore& texels)
     return change;
 }
 
+/// Where painting begins in a project that was opened.
+LayerId topLayer(const LayerStack& layers)
+{
+    return layers.isPlain() ? kBaseLayer : layers.layers().back().id;
+}
+
 QString strokeText(bool erases)
 {
     return erases ? Document::tr("Erase stroke") : Document::tr("Brush stroke");
@@ -101,6 +107,7 @@ void Document::open(Project project, const QString& path, const QString& title)
     m_pending = nullptr;
     m_project = std::move(project);
     m_fill = fillOf(m_project);
+    m_activeLayer = topLayer(m_project.layers);
     m_path = path;
     m_title = title;
     ++m_lastState;
@@ -111,6 +118,8 @@ void Document::open(Project project, const QString& path, const QString& title)
     const Result<SceneViews> views = viewsOf(m_project);
     m_bookmarks->take(views.value_or(SceneViews()));
     emit opened();
+    emit layersChanged();
+    emit activeLayerChanged();
     emit titleChanged();
     announceModified();
     if (!views) {

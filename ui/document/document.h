@@ -7,6 +7,7 @@
 #include <QUndoStack>
 
 #include "core/io/project.h"
+#include "core/layers/compose.h"
 #include "core/paint/brush.h"
 #include "core/paint/stroke.h"
 #include "core/paint/stroke_dabs.h"
@@ -31,6 +32,7 @@ struct Change
 
 class StoredFacesWatch;
 class BehindStroke;
+struct LayersState;
 class PendingStroke;
 class ViewBookmarks;
 
@@ -40,11 +42,11 @@ enum class StrokePace {
     Behind  ///< by and by, on another thread: for dabs so large that the window would be held up
 };
 
-/// Names a state of the document: equal names mean equal texels, views and creases. Unlike a
-/// position in the undo stack it stays true when undone commands are thrown away.
+/// Names a state of the document: equal names mean equal texels, layers, views and creases. Unlike
+/// a position in the undo stack it stays true when undone commands are thrown away.
 struct StateId
 {
-    std::uint64_t texels = 0; ///< equal ones mean equal texels, whatever the views
+    std::uint64_t texels = 0; ///< equal ones mean equal texels and layers, whatever the views
     std::uint64_t views = 0;  ///< and creases
 
     bool operator==(const StateId&) const = default;
@@ -69,8 +71,9 @@ public:
     bool isOpen() const { return m_project.surface != nullptr; }
     /// Null before a project is open.
     const std::shared_ptr<const Surface>& surface() const { return m_project.surface; }
+    /// What is shown: of a project with layers, these together.
     const TexelStore& texels() const { return m_project.texels; }
-    /// The bytes of one texel that Erase moves towards.
+    /// The bytes of one shown texel that Erase moves towards; on layers it uncovers instead.
     const std::vector<std::byte>& fillTexel() const { return m_fill; }
     /// A snapshot for saving and exporting while painting goes on; cheap.
     Project snapshot() const { return m_project; }
@@ -91,6 +94,21 @@ public:
     /// \param angle   in [0, 180] (checked)
     /// \param goesOn  whether it becomes one step with a change of the angle right before
     void setCreaseAngle(CreaseAngle angle, bool goesOn = false);
+
+    /// What the texels come from; plain when there is nothing but them.
+    const LayerStack& layers() const { return m_project.layers; }
+    /// What strokes, erasers and fills change: the base where there are no layers.
+    LayerId activeLayer() const { return m_activeLayer; }
+    /// Ends a stroke in progress; no undo step. \param layer  of the stack (checked)
+    void setActiveLayer(LayerId layer);
+    /// Other layers, as one undo step; none when nothing differs.
+    /// \param next    made from `layers()`, or from `LayerStack(texels())` where these are plain;
+    ///                of the same faces (checked). A plain one makes its base what is shown.
+    /// \param active  of `next` (checked), to be painted from now on
+    /// \param goesOn  whether it becomes one step with a change of the same layer's settings right
+    ///                before, if it is one, too
+    /// \return        whether it was done; refused with `notice` where it cannot be
+    bool editLayers(LayerStack next, LayerId active, const QString& text, bool goesOn = false);
 
     QUndoStack& undoStack() { return m_undo; }
     QString path() const { return m_path; }
@@ -158,6 +176,9 @@ signals:
     void levelsChanged();
     /// The limit surface has other creases.
     void creasesChanged();
+    /// Another stack: other layers, order, names or settings; not for what is painted on them.
+    void layersChanged();
+    void activeLayerChanged();
     void modifiedChanged(bool modified);
     void titleChanged();
     /// Dabs that texels will have later: of a stroke painted behind.
@@ -172,6 +193,7 @@ signals:
 private:
     friend class PendingStroke;
     friend class SwapCreases;
+    friend class SwapLayers;
     friend class SwapPatch;
     friend class SwapStore;
     /// A stroke drawn while another was settling.
@@ -215,6 +237,7 @@ private:
     void exchange(TexelStore& texels);
     void exchange(TexelPatch& patch);
     void push(TexelPatch applied, const QString& text);
+    void swapLayers(LayersState& state);
     friend class SwapViews;
     friend class ViewBookmarks;
     void swapViews(SceneViews& views);
@@ -228,6 +251,7 @@ private:
     std::vector<std::byte> m_fill;
     QString m_path;
     QString m_title;
+    LayerId m_activeLayer = kBaseLayer;
     ViewBookmarks* m_bookmarks;
     StoredFacesWatch* m_storedFaces;
     std::optional<Stroke> m_stroke;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/layers/layer_stack.h"
+#include "core/texture/texel_store.h"
+#include "ui/document/document_step.h"
+
+#include <optional>
+
+namespace trixel::ui {
+
+/// A stack of layers, what it looks like and which of it is painted.
+struct LayersState
+{
+    LayerStack layers;
+    std::optional<TexelStore> shown; ///< none where it has not been worked out
+    LayerId active = kBaseLayer;
+};
+
+/// Undo command of any change of layers that is not paint: undo and redo are the same exchange,
+/// which costs the same for any number of faces. The stacks share what is alike in them.
+class SwapLayers : public DocumentStep
+{
+public:
+    /// How it may become one step with another.
+    struct Merging
+    {
+        std::optional<LayerId> set; ///< the one layer whose settings it changes, and nothing else
+        bool goesOn = false;        ///< with the one before, if that set the same layer
+    };
+
+    /// \param next   to come; the redo of the push puts it in place
+    /// \param state  the name of the document's state after the change
+    SwapLayers(
+        Document& document, LayersState next, Merging merging, StateId state, const QString& text);
+
+    void undo() override;
+    void redo() override;
+    int id() const override;
+    bool mergeWith(const QUndoCommand* next) override;
+
+private:
+    Document& m_document;
+    LayersState m_other; ///< that the document does not have
+    Merging m_merging;
+};
+
+} // namespace trixel::ui
