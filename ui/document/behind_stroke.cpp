@@ -15,64 +15,64 @@ namespace trixel::ui {
 /// What jobs work on, one after the other.
 struct BehindStroke::Work
 {
-    TexelStore store;
+    Layered all;
+    LayerId layer = kBaseLayer;
     std::shared_ptr<const Surface> surface;
     std::optional<DabPainter> painter;
-    std::vector<TouchedRect> touched; ///< by the latest job
-    std::optional<TexelPatch> patch;  ///< once all is done
+    std::vector<TouchedRect> touched; ///< by the latest job, of what is shown
+    std::optional<LayerPatch> patch;  ///< once all is done
     std::atomic<bool> stop = false;
+
+    TexelStore& painted() { return paintedTexels(all.layers, layer, all.shown); }
+    void show(std::vector<TouchedRect> rects)
+    {
+        touched = showPaint(all.layers, std::move(rects), all.shown);
+    }
+    void finish(TexelPatch applied)
+    {
+        patch = LayerPatch{layer, std::move(applied)};
+        showCollapsed(all.layers, *patch, all.shown);
+    }
 };
 
-namespace {
-
-std::vector<TouchedRect> wholeFaces(const TexelStore& store, std::span<const FaceId> faces)
-{
-    std::vector<TouchedRect> rects;
-    rects.reserve(faces.size());
-    for (const FaceId face : faces) {
-        const auto size = static_cast<std::uint16_t>(store.face(face).level().resolution());
-        rects.push_back({face, 0, 0, size, size, true});
-    }
-    return rects;
-}
-
-} // namespace
-
-BehindStroke::BehindStroke(TexelStore store, QThreadPool& thread)
+BehindStroke::BehindStroke(Layered before, LayerId layer, QThreadPool& thread)
     : m_thread(thread)
-    , m_before(store)
-    , m_told(store)
+    , m_before(before)
+    , m_told(before)
     , m_work(std::make_shared<Work>())
 {
-    m_work->store = std::move(store);
+    m_work->all = std::move(before);
+    m_work->layer = layer;
     connect(&m_watcher, &QFutureWatcher<void>::finished, this, &BehindStroke::takeResult);
 }
 
 BehindStroke::BehindStroke(std::shared_ptr<const Surface> surface,
-                           TexelStore store,
+                           Layered before,
+                           LayerId layer,
                            const Brush& brush,
                            std::vector<std::byte> fill,
                            QThreadPool& thread)
-    : BehindStroke(std::move(store), thread)
+    : BehindStroke(std::move(before), layer, thread)
 {
-    const TexelFormat format = m_before.format();
-    m_work->painter.emplace(
-        format, strokeTarget(brush, format, fill), brush.hardness, brush.flow, Threads::all());
+    TexelBlend blend = strokeBlend(brush, m_work->painted().format(), groundOf(layer, fill));
+    m_work->painter.emplace(std::move(blend), brush.hardness, brush.flow, Threads::all());
     m_work->surface = surface;
     m_dabs.emplace(std::move(surface), brush);
 }
 
-BehindStroke::BehindStroke(TexelStore store,
+BehindStroke::BehindStroke(Layered before,
+                           LayerId layer,
                            std::vector<FaceId> faces,
                            std::vector<std::byte> texel,
                            QThreadPool& thread)
-    : BehindStroke(std::move(store), thread)
+    : BehindStroke(std::move(before), layer, thread)
 {
     m_ended = true;
     m_isEmpty = faces.empty();
     start([faces = std::move(faces), texel = std::move(texel)](Work& work) {
-        work.patch = fillFaces(work.store, faces, texel);
-        work.touched = wholeFaces(work.store, work.patch->faces());
+        TexelPatch applied = fillFaces(work.painted(), faces, texel);
+        work.show(wholeFaces(work.all.shown, applied.faces()));
+        work.patch = LayerPatch{work.layer, std::move(applied)};
     });
 }
 
@@ -108,7 +108,7 @@ void BehindStroke::end()
 
 std::vector<TouchedRect> BehindStroke::touched() const
 {
-    return wholeFaces(m_before, m_touched);
+    return wholeFaces(m_before.shown, m_touched);
 }
 
 void BehindStroke::start(Job job)
@@ -129,12 +129,13 @@ void BehindStroke::paintMore()
             if (work.stop) {
                 return;
             }
-            work.painter->paint(one.dab, work.surface->mesh(), one.faces, work.store);
+            work.painter->paint(one.dab, work.surface->mesh(), one.faces, work.painted());
         }
-        work.touched = work.painter->takeTouched();
+        work.show(work.painter->takeTouched());
         if (isLast) {
-            work.patch = work.painter->finish(work.store);
-            work.patch->collapseFaces(work.store);
+            TexelPatch applied = work.painter->finish(work.painted());
+            applied.collapseFaces(work.painted());
+            work.finish(std::move(applied));
         }
     });
 }
@@ -149,7 +150,7 @@ void BehindStroke::takeResult()
     std::ranges::sort(faces);
     std::ranges::set_union(m_touched, faces, std::back_inserter(all));
     m_touched = std::move(all);
-    m_told = m_work->store;
+    m_told = m_work->all;
     emit advanced(m_told, touched);
     if (m_work->patch) {
         emit finished(*m_work->patch);

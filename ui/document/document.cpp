@@ -7,6 +7,8 @@
 #include "core/io/new_project.h"
 #include "core/study/views/project_views.h"
 #include "ui/document/behind_stroke.h"
+#include "ui/document/layer_composer.h"
+#include "ui/document/layer_paint.h"
 #include "ui/document/pending_stroke.h"
 #include "ui/document/stored_faces_watch.h"
 #include "ui/document/swap_creases.h"
@@ -22,20 +24,6 @@ namespace trixel::ui {
 
 namespace {
 
-std::vector<std::byte> encodeTexel(const TexelFormat& format, const std::array<float, 4>& color)
-{
-    std::vector<float> values(format.channels);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        values[k] = color[std::min<std::size_t>(k, color.size() - 1)];
-    }
-    std::vector<std::byte> texel(format.texelBytes());
-    encode(format.type, values, texel);
-    return texel;
-}
-
-/// Faces that take longer to fill than the window may be held up: about 4 ms.
-constexpr std::size_t kFacesBehind = 20'000;
-
 /// Whether the patch that was swapped gave a face another level.
 bool changedLevels(const TexelPatch& patch, const TexelStore& texels)
 {
@@ -44,36 +32,10 @@ bool changedLevels(const TexelPatch& patch, const TexelStore& texels)
     });
 }
 
-/// Whole faces; nothing (everything may differ) when the patch covers the mesh.
-Change changeOf(const TexelPatch& patch, const TexelStore& texels)
-{
-    Change change;
-    if (patch.faces().size() == texels.faceCount()) {
-        return change;
-    }
-    change.rects.reserve(patch.faces().size());
-    for (const FaceId face : patch.faces()) {
-        const auto size = static_cast<std::uint16_t>(texels.face(face).level().resolution());
-        change.rects.push_back({face, 0, 0, size, size, true});
-    }
-    return change;
-}
-
 /// Where painting begins in a project that was opened.
 LayerId topLayer(const LayerStack& layers)
 {
     return layers.isPlain() ? kBaseLayer : layers.layers().back().id;
-}
-
-QString strokeText(bool erases)
-{
-    return erases ? Document::tr("Erase stroke") : Document::tr("Brush stroke");
-}
-
-QString fillText(std::size_t faces)
-{
-    return faces == 1 ? Document::tr("Fill face")
-                      : Document::tr("Fill %n faces", nullptr, static_cast<int>(faces));
 }
 
 } // namespace
@@ -86,6 +48,18 @@ Document::Document(QObject* parent)
     connect(m_storedFaces, &StoredFacesWatch::damaged, this, &Document::notice);
     connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
     m_strokeThread.setMaxThreadCount(1);
+    m_composer = std::make_unique<LayerComposer>(m_strokeThread);
+    connect(m_composer.get(),
+            &LayerComposer::composed,
+            this,
+            [this](const TexelStore& shown, const std::optional<Change>& change) {
+                m_project.texels = shown;
+                if (change) {
+                    emit changed(*change);
+                }
+            });
+    connect(m_composer.get(), &LayerComposer::finished, this, &Document::layersComposed);
+    connect(m_composer.get(), &LayerComposer::failed, this, &Document::takeBackLayers);
 }
 
 Document::~Document()
@@ -98,6 +72,7 @@ void Document::open(Project project, const QString& path, const QString& title)
 {
     m_stroke.reset();
     m_kept.reset();
+    m_composer->drop();
     for (const Later& later : std::exchange(m_later, {})) {
         if (later.command == nullptr) {
             later.work(); // somebody waits for its end
@@ -164,149 +139,9 @@ void Document::announceModified()
 void Document::releaseHeldTexels()
 {
     if (!hasStroke()) {
-        m_project.texels.releaseHeld();
+        releaseHeld(m_project.layers, m_project.texels);
         emit heldTexelsReleased(); // copies keep what is held alive
     }
-}
-
-void Document::beginStroke(const Brush& brush,
-                           StrokePace pace,
-                           std::shared_ptr<const LimitMesh> limit)
-{
-    if (!isOpen()) {
-        return;
-    }
-    endStroke();
-    if (const Status valid = validate(brush); !valid) {
-        emit notice(QString::fromStdString(valid.error().message));
-        return;
-    }
-    if (isSettling()) {
-        m_kept = KeptStroke{brush, pace, std::move(limit), {}};
-    } else {
-        start(brush, pace, std::move(limit));
-    }
-}
-
-void Document::start(const Brush& brush, StrokePace pace, std::shared_ptr<const LimitMesh> limit)
-{
-    m_brush = brush;
-    m_strokeErases = brush.blend == BlendMode::Erase;
-    if (pace == StrokePace::Behind && !limit) {
-        startBehind(brush);
-    } else {
-        m_stroke.emplace(m_project.surface, brush, m_fill, Threads::all(), std::move(limit));
-    }
-}
-
-void Document::extendStroke(const StrokeSample& sample)
-{
-    if (m_kept) {
-        m_kept->samples.emplace_back(sample);
-    } else {
-        extend(sample);
-    }
-}
-
-void Document::extend(const StrokeSample& sample)
-{
-    if (m_behind && !isSettling()) {
-        const std::vector<PlacedDab> dabs = m_behind->add(sample);
-        if (!dabs.empty()) {
-            emit dabsPlaced(m_brush, dabs);
-        }
-    }
-    if (!m_stroke) {
-        return;
-    }
-    Change change{m_stroke->add(sample, m_project.texels)};
-    if (!change.rects.empty()) {
-        emit changed(change);
-    }
-}
-
-void Document::liftStroke()
-{
-    if (m_kept) {
-        m_kept->samples.emplace_back();
-    } else if (m_behind && !isSettling()) {
-        m_behind->lift();
-    } else if (m_stroke) {
-        m_stroke->lift();
-    }
-}
-
-void Document::endStroke()
-{
-    if (m_kept) {
-        const KeptStroke kept = *std::exchange(m_kept, {});
-        wait(strokeText(kept.brush.blend == BlendMode::Erase), [this, kept] {
-            play(kept);
-            finish();
-        });
-    } else {
-        finish();
-    }
-}
-
-void Document::finish()
-{
-    endBehind();
-    if (!m_stroke) {
-        return;
-    }
-    TexelPatch patch = m_stroke->finish(m_project.texels);
-    m_stroke.reset();
-    push(std::move(patch), strokeText(m_strokeErases));
-}
-
-void Document::cancelStroke()
-{
-    m_kept.reset();
-    if (m_behind && !isSettling()) {
-        dropBehind();
-    }
-    if (!m_stroke) {
-        return;
-    }
-    TexelPatch patch = m_stroke->finish(m_project.texels);
-    m_stroke.reset();
-    if (!patch.isEmpty()) {
-        swapPatch(patch);
-    }
-}
-
-void Document::fillFaces(std::span<const FaceId> faces, const std::array<float, 4>& color)
-{
-    if (!isOpen() || faces.empty()) {
-        return;
-    }
-    endStroke();
-    std::vector<FaceId> chosen(faces.begin(), faces.end());
-    if (isSettling()) {
-        const QString text = fillText(chosen.size());
-        wait(text, [this, chosen = std::move(chosen), color] { fill(chosen, color); });
-    } else {
-        fill(chosen, color);
-    }
-}
-
-void Document::fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color)
-{
-    const std::vector<std::byte> texel = encodeTexel(m_project.texels.format(), color);
-    const QString text = fillText(faces.size());
-    if (faces.size() >= kFacesBehind) {
-        watch(std::make_unique<BehindStroke>(m_project.texels, faces, texel, m_strokeThread));
-        beginPending(text);
-        emit fillPlaced(faces, color);
-        return;
-    }
-    TexelPatch patch = trixel::fillFaces(m_project.texels, faces, texel);
-    if (patch.isEmpty()) {
-        return;
-    }
-    emit changed(changeOf(patch, m_project.texels));
-    push(std::move(patch), text);
 }
 
 /// Ends a stroke in progress; complains where the texels are others than those the change is for.
@@ -325,9 +160,9 @@ bool Document::replaceTexels(TexelStore texels, StateId madeFor, const QString& 
     if (!mayReplace(madeFor, text)) {
         return false;
     }
-    check(texels.faceCount() == m_project.texels.faceCount() &&
+    check(layers().isPlain() && texels.faceCount() == m_project.texels.faceCount() &&
               texels.format() == m_project.texels.format(),
-          "texels of the same faces and format");
+          "texels of the same faces and format, without layers");
     exchange(texels);
     const StateId next{++m_lastState, state().views};
     m_undo.push(new SwapStore(*this, std::move(texels), next, text)); // the stack owns it
@@ -339,24 +174,26 @@ bool Document::applyPatch(TexelPatch patch, StateId madeFor, const QString& text
     if (!mayReplace(madeFor, text)) {
         return false;
     }
+    check(layers().isPlain(), "texels without layers");
     if (!patch.isEmpty()) {
-        exchange(patch);
-        push(std::move(patch), text);
+        LayerPatch applied{kBaseLayer, std::move(patch)};
+        exchange(applied);
+        push(std::move(applied), text);
     }
     return true;
 }
 
-void Document::push(TexelPatch applied, const QString& text)
+void Document::push(LayerPatch applied, const QString& text)
 {
     if (m_waited != nullptr) {
         complete(*std::exchange(m_waited, nullptr), std::move(applied));
-    } else if (!applied.isEmpty()) {
+    } else if (!applied.texels.isEmpty()) {
         const StateId next{++m_lastState, state().views};
         m_undo.push(new SwapPatch(*this, std::move(applied), next, text)); // the stack owns it
     }
 }
 
-void Document::swapPatch(TexelPatch& patch)
+void Document::swapPatch(LayerPatch& patch)
 {
     // A patch fits the state it was made on, which a stroke in progress has left.
     cancelStroke();
@@ -417,14 +254,19 @@ void Document::swapCreases(CreaseAngle& angle)
     emit creasesChanged();
 }
 
-void Document::exchange(TexelPatch& patch)
+void Document::exchange(LayerPatch& patch)
 {
-    patch.swap(m_project.texels);
-    if (changedLevels(patch, m_project.texels)) {
+    TexelStore& texels = painted(patch.layer);
+    patch.texels.swap(texels);
+    if (changedLevels(patch.texels, texels)) {
         emit changed({}); // what derives from a face may reach into its neighbours
         emit levelsChanged();
+    } else if (m_composer->isRunning()) {
+        compose({}); // again, of other paint
     } else {
-        emit changed(changeOf(patch, m_project.texels));
+        std::vector<TouchedRect> rects = rectsOf(patch.texels, texels);
+        rects = showPaint(layers(), std::move(rects), m_project.texels);
+        emit changed(changeOf(std::move(rects), m_project.texels));
     }
 }
 

@@ -11,6 +11,7 @@
 #include "core/paint/brush.h"
 #include "core/paint/stroke.h"
 #include "core/paint/stroke_dabs.h"
+#include "ui/document/change.h"
 
 #include <functional>
 #include <memory>
@@ -24,17 +25,21 @@ struct SceneViews;
 
 namespace trixel::ui {
 
-/// What a change touched; `rects` is empty when everything may differ.
-struct Change
-{
-    std::vector<TouchedRect> rects;
-};
-
 class StoredFacesWatch;
 class BehindStroke;
-struct LayersState;
+class LayerComposer;
 class PendingStroke;
+struct LayerPatch;
+struct LayersState;
 class ViewBookmarks;
+
+/// Other layers that were worked out elsewhere.
+struct LayersEdit
+{
+    Layered all;
+    LayerId active = kBaseLayer; ///< of these, to be painted from now on
+    bool changesLevels = false;  ///< of some face
+};
 
 /// When texels get what a stroke paints.
 enum class StrokePace {
@@ -101,13 +106,16 @@ public:
     LayerId activeLayer() const { return m_activeLayer; }
     /// Ends a stroke in progress; no undo step. \param layer  of the stack (checked)
     void setActiveLayer(LayerId layer);
-    /// Other layers, as one undo step; none when nothing differs.
+    /// Other layers, as one undo step. They are there at once; what they look like follows where
+    /// that takes time, and the document settles meanwhile. More edits may come before it is there,
+    /// strokes wait for it.
     /// \param next    made from `layers()`, or from `LayerStack(texels())` where these are plain;
     ///                of the same faces (checked). A plain one makes its base what is shown.
     /// \param active  of `next` (checked), to be painted from now on
     /// \param goesOn  whether it becomes one step with a change of the same layer's settings right
     ///                before, if it is one, too
-    /// \return        whether it was done; refused with `notice` where it cannot be
+    /// \return        whether it was done; refused with `notice` where it cannot be, and while a
+    ///                stroke is settling (see `whenSettled`)
     bool editLayers(LayerStack next, LayerId active, const QString& text, bool goesOn = false);
 
     QUndoStack& undoStack() { return m_undo; }
@@ -127,8 +135,9 @@ public:
     /// painting goes on while a snapshot is saved.
     void markSaved(const QString& path, StateId saved);
 
-    /// Starts a stroke, ending one in progress. An unusable brush is refused with `notice`. While
-    /// another stroke is settling it is kept, and painted when that has come to rest.
+    /// Starts a stroke on the active layer, ending one in progress. An unusable brush and a hidden
+    /// layer are refused with `notice`. While another change is settling it is kept, and painted
+    /// when that has come to rest.
     /// \param limit  of the surface, to paint on instead (see `Stroke`), at once whatever the pace
     void beginStroke(const Brush& brush,
                      StrokePace pace = StrokePace::AtOnce,
@@ -146,25 +155,31 @@ public:
     bool hasStroke() const { return isTakingSamples() || isSettling(); }
     /// Whether `extendStroke` has a stroke to extend.
     bool isTakingSamples() const;
-    /// Whether something that has ended is still being painted behind.
+    /// Whether something that has ended is still being painted behind, or layers are still being
+    /// put together.
     bool isSettling() const;
     /// Calls `work` once texels hold all that was painted: at once, unless something is settling.
     void whenSettled(std::function<void()> work);
 
-    /// One undo step; `color` as in `Brush::color`. Very many faces are filled behind.
+    /// One undo step, on the active layer; `color` as in `Brush::color`. Very many faces are filled
+    /// behind. Refused with `notice` where that layer is hidden.
     void fillFaces(std::span<const FaceId> faces, const std::array<float, 4>& color);
 
     /// Exchanges a patch with the texels, as one undo step; levels may change. Refused with
-    /// `notice` when the texels have changed since.
+    /// `notice` when the texels have changed since. Of a project without layers (checked).
     /// \param patch    the texels to come, made elsewhere from a copy
     /// \param madeFor  the state that the copy was of; views bookmarked since do not matter
     /// \return         whether it was applied
     bool applyPatch(TexelPatch patch, StateId madeFor, const QString& text);
 
     /// The same with all texels, for changes of so many faces that going through them would hold
-    /// the window up. Costs the same for any number of faces.
-    /// \param texels  of as many faces and the same format (checked)
+    /// the window up. Costs the same for any number of faces. Of a project without layers
+    /// (checked). \param texels  of as many faces and the same format (checked)
     bool replaceTexels(TexelStore texels, StateId madeFor, const QString& text);
+
+    /// The same with layers, from a project with or without.
+    /// \param edit  of as many faces and the same format (checked)
+    bool replaceLayers(LayersEdit edit, StateId madeFor, const QString& text);
 
 signals:
     /// See `releaseHeldTexels`.
@@ -202,6 +217,7 @@ private:
         Brush brush;
         StrokePace pace = StrokePace::AtOnce;
         std::shared_ptr<const LimitMesh> limit;
+        LayerId layer = kBaseLayer;
         std::vector<std::optional<StrokeSample>> samples; ///< none where it was lifted
     };
     /// What waits for a stroke to settle.
@@ -210,15 +226,15 @@ private:
         PendingStroke* command = nullptr; ///< of an edit, on the stack; none for anything else
         std::function<void()> work;
     };
-    void start(const Brush& brush, StrokePace pace, std::shared_ptr<const LimitMesh> limit);
+    void start(const KeptStroke& stroke);
     void extend(const StrokeSample& sample);
     void finish();
-    void startBehind(const Brush& brush);
+    bool isPaintSettling() const;
     void watch(std::unique_ptr<BehindStroke> work);
     void endBehind();
     void dropBehind();
-    void settle(TexelPatch& applied);
-    void complete(PendingStroke& command, TexelPatch applied);
+    void settle(LayerPatch& applied);
+    void complete(PendingStroke& command, LayerPatch applied);
     void doLater();
     void play(const KeptStroke& kept);
     bool hasUnsettled() const;
@@ -230,14 +246,24 @@ private:
     void resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& command);
     PendingStroke* pushPending(const QString& text);
     void beginPending(const QString& text);
-    void fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color);
-    void swapPatch(TexelPatch& patch);
+    void fill(const std::vector<FaceId>& faces, const std::array<float, 4>& color, LayerId layer);
+    TexelStore& painted(LayerId layer);
+    LayerPatch finishStroke();
+    bool mayPaint();
+    void swapPatch(LayerPatch& patch);
     void swapStore(TexelStore& texels);
     bool mayReplace(StateId madeFor, const QString& text);
     void exchange(TexelStore& texels);
-    void exchange(TexelPatch& patch);
-    void push(TexelPatch applied, const QString& text);
-    void swapLayers(LayersState& state);
+    void exchange(LayerPatch& patch);
+    void push(LayerPatch applied, const QString& text);
+    bool mayEditLayers(const QString& text);
+    Result<LayersState> stateOf(LayerStack next, bool looksAlike) const;
+    void swapLayers(LayersState& state, bool changesLevels);
+    void compose(const Layered& now);
+    void dropComposing();
+    void layersComposed();
+    void takeBackLayers(const QString& why);
+    StateId stateBelowWaiting() const;
     friend class SwapViews;
     friend class ViewBookmarks;
     void swapViews(SceneViews& views);
@@ -255,10 +281,11 @@ private:
     ViewBookmarks* m_bookmarks;
     StoredFacesWatch* m_storedFaces;
     std::optional<Stroke> m_stroke;
-    bool m_strokeErases = false;
-    Brush m_brush; ///< of the stroke
+    Brush m_brush;                      ///< of the stroke
+    LayerId m_strokeLayer = kBaseLayer; ///< of the stroke
     QThreadPool m_strokeThread;
-    std::unique_ptr<BehindStroke> m_behind;  ///< a stroke or fill painted behind
+    std::unique_ptr<BehindStroke> m_behind; ///< a stroke or fill painted behind
+    std::unique_ptr<LayerComposer> m_composer;
     PendingStroke* m_pending = nullptr;      ///< its command, on the stack
     PendingStroke* m_waited = nullptr;       ///< of what waited and is being done now
     std::uint64_t m_texelsBeforePending = 0; ///< the texels' state until another edit settles

@@ -5,6 +5,7 @@
 // taken for more than it is, and edits to come wait in line.
 #include "ui/document/behind_stroke.h"
 #include "ui/document/document.h"
+#include "ui/document/layer_composer.h"
 #include "ui/document/pending_stroke.h"
 
 #include <algorithm>
@@ -19,6 +20,11 @@ bool Document::isTakingSamples() const
 
 bool Document::isSettling() const
 {
+    return isPaintSettling() || m_composer->isRunning();
+}
+
+bool Document::isPaintSettling() const
+{
     return m_behind && m_behind->hasEnded();
 }
 
@@ -31,20 +37,15 @@ void Document::whenSettled(std::function<void()> work)
     }
 }
 
-void Document::startBehind(const Brush& brush)
-{
-    watch(std::make_unique<BehindStroke>(
-        m_project.surface, m_project.texels, brush, m_fill, m_strokeThread));
-}
-
 void Document::watch(std::unique_ptr<BehindStroke> work)
 {
     m_behind = std::move(work);
     connect(m_behind.get(),
             &BehindStroke::advanced,
             this,
-            [this](const TexelStore& texels, const std::vector<TouchedRect>& touched) {
-                m_project.texels = texels;
+            [this](const Layered& all, const std::vector<TouchedRect>& touched) {
+                m_project.texels = all.shown;
+                m_project.layers = all.layers;
                 if (!touched.empty()) {
                     emit changed({touched});
                 }
@@ -54,7 +55,7 @@ void Document::watch(std::unique_ptr<BehindStroke> work)
 
 void Document::endBehind()
 {
-    if (!m_behind || isSettling()) {
+    if (!m_behind || m_behind->hasEnded()) {
         return;
     }
     if (m_behind->isEmpty()) {
@@ -62,7 +63,7 @@ void Document::endBehind()
         return;
     }
     m_behind->end();
-    beginPending(m_strokeErases ? tr("Erase stroke") : tr("Brush stroke"));
+    beginPending(m_brush.blend == BlendMode::Erase ? tr("Erase stroke") : tr("Brush stroke"));
 }
 
 /// Nothing of it stays; what waited for it goes on.
@@ -79,7 +80,8 @@ std::unique_ptr<BehindStroke> Document::hideBehind()
     const std::vector<TouchedRect> touched = m_behind->touched();
     std::unique_ptr<BehindStroke> hidden = std::move(m_behind);
     hidden->disconnect(this);
-    m_project.texels = hidden->before();
+    m_project.texels = hidden->before().shown;
+    m_project.layers = hidden->before().layers;
     m_pending = nullptr;
     emit settled(false);
     if (!touched.empty()) {
@@ -96,8 +98,10 @@ void Document::resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& 
     if (!hasUnsettled()) {
         m_texelsBeforePending = state().texels;
     }
+    m_composer->drop(); // it has all of it
     m_pending = &command;
-    m_project.texels = work->told();
+    m_project.texels = work->told().shown;
+    m_project.layers = work->told().layers;
     const std::vector<TouchedRect> touched = work->touched();
     watch(std::move(work));
     if (!touched.empty()) {
@@ -105,7 +109,7 @@ void Document::resumePending(std::unique_ptr<BehindStroke> work, PendingStroke& 
     }
 }
 
-void Document::settle(TexelPatch& applied)
+void Document::settle(LayerPatch& applied)
 {
     m_behind.release()->deleteLater(); // it is telling this
     PendingStroke* command = std::exchange(m_pending, nullptr);
@@ -120,9 +124,9 @@ void Document::settle(TexelPatch& applied)
 }
 
 /// A command of what was painted later than asked for has what it was to have.
-void Document::complete(PendingStroke& command, TexelPatch applied)
+void Document::complete(PendingStroke& command, LayerPatch applied)
 {
-    if (!applied.isEmpty()) {
+    if (!applied.texels.isEmpty()) {
         command.settle(std::move(applied));
         m_texelsBeforePending = command.state().texels;
         return;
@@ -155,7 +159,7 @@ void Document::doLater()
 
 void Document::play(const KeptStroke& kept)
 {
-    start(kept.brush, kept.pace, kept.limit);
+    start(kept);
     for (const std::optional<StrokeSample>& sample : kept.samples) {
         if (sample) {
             extend(*sample);
@@ -170,7 +174,7 @@ void Document::play(const KeptStroke& kept)
 
 bool Document::hasUnsettled() const
 {
-    return m_pending != nullptr || m_waited != nullptr ||
+    return m_pending != nullptr || m_waited != nullptr || m_composer->isRunning() ||
            std::ranges::any_of(m_later, [](const Later& one) { return one.command != nullptr; });
 }
 

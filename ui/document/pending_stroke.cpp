@@ -36,19 +36,19 @@ void PendingStroke::undo()
     QObject::connect(m_unwanted.get(),
                      &BehindStroke::finished,
                      m_unwanted.get(),
-                     [this](TexelPatch& applied) { settleUndone(applied); });
+                     [this](LayerPatch& applied) { settleUndone(applied); });
 }
 
 /// Keeps what it comes to, in the place of what it replaced.
-void PendingStroke::settleUndone(TexelPatch& applied)
+void PendingStroke::settleUndone(LayerPatch& applied)
 {
-    TexelStore after = m_unwanted->told();
+    Layered after = m_unwanted->told();
     m_unwanted.release()->deleteLater(); // it is telling this
-    if (applied.isEmpty()) {
+    if (applied.texels.isEmpty()) {
         makeVoid();
         return;
     }
-    applied.swap(after);
+    applied.texels.swap(paintedTexels(after.layers, applied.layer, after.shown));
     settle(std::move(applied));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/texture/texel_patch.h"
 #include "ui/document/document_step.h"
+#include "ui/document/layer_paint.h"
 
 #include <functional>
 #include <memory>
@@ -22,7 +22,7 @@ public:
     PendingStroke(Document& document, StateId state, const QString& text);
 
     /// The change is in the texels. \param applied  what it replaced
-    void settle(TexelPatch applied) { m_patch = std::move(applied); }
+    void settle(LayerPatch applied) { m_patch = std::move(applied); }
     /// The change came to nothing: undone, the command goes without a trace.
     void makeVoid() { m_isVoid = true; }
 
@@ -32,10 +32,10 @@ public:
     void redo() override;
 
 private:
-    void settleUndone(TexelPatch& applied);
+    void settleUndone(LayerPatch& applied);
 
     Document& m_document;
-    std::optional<TexelPatch> m_patch;        ///< none while it is being made
+    std::optional<LayerPatch> m_patch;        ///< none while it is being made
     std::unique_ptr<BehindStroke> m_unwanted; ///< what makes it while it is undone
     std::function<void()> m_waiting;          ///< what was to be done, while it is undone
     bool m_applied = true;

@@ -12,22 +12,22 @@ constexpr int kStepId = 2; // of this kind of step alone
 } // namespace
 
 SwapLayers::SwapLayers(
-    Document& document, LayersState next, Merging merging, StateId state, const QString& text)
+    Document& document, LayersState next, Kind kind, StateId state, const QString& text)
     : DocumentStep(state, text)
     , m_document(document)
     , m_other(std::move(next))
-    , m_merging(merging)
+    , m_kind(kind)
 {
 }
 
 void SwapLayers::undo()
 {
-    m_document.swapLayers(m_other);
+    m_document.swapLayers(m_other, m_kind.changesLevels);
 }
 
 void SwapLayers::redo()
 {
-    m_document.swapLayers(m_other);
+    m_document.swapLayers(m_other, m_kind.changesLevels);
 }
 
 int SwapLayers::id() const
@@ -39,8 +39,7 @@ int SwapLayers::id() const
 bool SwapLayers::mergeWith(const QUndoCommand* next)
 {
     const auto* following = static_cast<const SwapLayers*>(next); // of the same id
-    if (!following->m_merging.goesOn || !m_merging.set ||
-        m_merging.set != following->m_merging.set) {
+    if (!following->m_kind.goesOn || !m_kind.set || m_kind.set != following->m_kind.set) {
         return false;
     }
     setText(following->text());

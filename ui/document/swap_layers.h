@@ -22,17 +22,17 @@ struct LayersState
 class SwapLayers : public DocumentStep
 {
 public:
-    /// How it may become one step with another.
-    struct Merging
+    /// What is changed, other than how all looks.
+    struct Kind
     {
         std::optional<LayerId> set; ///< the one layer whose settings it changes, and nothing else
-        bool goesOn = false;        ///< with the one before, if that set the same layer
+        bool goesOn = false;        ///< becomes one with the step before, if that set this layer
+        bool changesLevels = false; ///< of some face
     };
 
     /// \param next   to come; the redo of the push puts it in place
     /// \param state  the name of the document's state after the change
-    SwapLayers(
-        Document& document, LayersState next, Merging merging, StateId state, const QString& text);
+    SwapLayers(Document& document, LayersState next, Kind kind, StateId state, const QString& text);
 
     void undo() override;
     void redo() override;
@@ -42,7 +42,7 @@ public:
 private:
     Document& m_document;
     LayersState m_other; ///< that the document does not have
-    Merging m_merging;
+    Kind m_kind;
 };
 
 } // namespace trixel::ui

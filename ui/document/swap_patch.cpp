@@ -5,7 +5,7 @@
 
 namespace trixel::ui {
 
-SwapPatch::SwapPatch(Document& document, TexelPatch applied, StateId state, const QString& text)
+SwapPatch::SwapPatch(Document& document, LayerPatch applied, StateId state, const QString& text)
     : DocumentStep(state, text)
     , m_document(document)
     , m_patch(std::move(applied))
