@@ -108,6 +108,7 @@ FaceLayers layersOfFace(const TexelStore& base, std::span<const Layer* const> sh
     for (const Layer* layer : shown.subspan(lowest)) {
         if (mayCover(*layer, face)) {
             const LayerSettings& settings = layer->settings;
+            result.over.reserve(shown.size() - lowest);
             result.over.push_back(
                 {settings.blend, settings.opacity, layer->texels.face(face).pinned()});
             result.isDamaged |= result.over.back().texels.isDamaged();
