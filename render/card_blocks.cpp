@@ -187,12 +187,10 @@ std::uint32_t CardBlocks::takeSlot(int level)
         m_blockElements += c.size;
         return slot;
     };
-    while (!c.holes.empty()) {
+    if (!c.holes.empty()) {
         const std::uint32_t slot = c.holes.back();
         c.holes.pop_back();
-        if (slot < c.faces.size() && c.faces[slot] == kNone) {
-            return taken(slot);
-        }
+        return taken(slot);
     }
     if (c.faces.size() == c.shelves.size() * c.perShelf) {
         const std::uint32_t first = takePages(c.order);
@@ -239,9 +237,6 @@ void CardBlocks::compact(Class& c, std::size_t& most)
     while (most > 0 && !c.holes.empty()) {
         const std::uint32_t hole = c.holes.back();
         c.holes.pop_back();
-        if (hole >= c.faces.size() || c.faces[hole] != kNone) {
-            continue; // noted twice: given back, taken, and given back again
-        }
         if (hole >= end) {
             left.push_back(hole);
             continue;

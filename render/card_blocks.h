@@ -167,7 +167,7 @@ private:
         std::uint32_t perShelf = 0;         ///< blocks
         std::vector<std::uint32_t> shelves; ///< first page of each
         std::vector<std::uint32_t> faces;   ///< by slot; kNone is a hole
-        std::vector<std::uint32_t> holes;   ///< slots; those beyond `faces` are stale
+        std::vector<std::uint32_t> holes;   ///< those slots, each once, in any order
         std::uint32_t used = 0;             ///< slots with a face
     };
 

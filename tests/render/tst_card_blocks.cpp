@@ -305,6 +305,31 @@ TEST(CardBlocks, aBufferThatGrowsKeepsItsBlocks)
     model.expectWhole();
 }
 
+TEST(CardBlocks, nothingMovesWhereNoShelfCouldGo)
+{
+    constexpr std::uint32_t kFaces = 4000;
+    CardBlocks blocks(BlockKind::Texels, kFaces, kFaces + 4000);
+    std::uint32_t count = 0; // all the room is theirs
+    while (count + 1 < kFaces && blocks.resize(faceId(count), Level(1))) {
+        ++count;
+    }
+    const std::uint32_t shelf = blocks.shelfOf(Level(1)).blocks;
+    ASSERT_GT(shelf, 1U);
+    ASSERT_GE(count, 2 * shelf);
+    (void)blocks.takeMoves();
+    for (std::uint32_t f = 1; f < shelf; ++f) {
+        blocks.release(faceId(f));
+    }
+    const FaceId other = faceId(kFaces - 1);
+    EXPECT_FALSE(blocks.resize(other, Level(2))); // would need a shelf of its own
+    EXPECT_TRUE(blocks.takeMoves().empty());
+    blocks.compact();
+    EXPECT_TRUE(blocks.takeMoves().empty());
+    blocks.release(faceId(count - 1));
+    EXPECT_TRUE(blocks.resize(other, Level(2)));
+    EXPECT_FALSE(blocks.takeMoves().empty());
+}
+
 TEST(CardBlocks, everyFaceHasItsBaseEvenWithoutAnyOtherRoom)
 {
     CardBlocks blocks(BlockKind::Vertices, 50, 0);
