@@ -150,6 +150,8 @@ public:
     /// Fills holes with blocks from the end of their class. \param most  so many moves at most
     void compact(std::size_t most = ~std::size_t{0});
 
+    /// How much `takeMoves` would give.
+    std::size_t moveCount() const { return m_moves.size(); }
     /// What is to be copied since the last time.
     std::vector<Move> takeMoves();
     /// Faces whose records changed since the last time: each once, ascending.

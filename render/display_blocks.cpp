@@ -172,7 +172,7 @@ void DisplayBlocks::makeRoomFor(std::uint64_t blockElements)
 
 bool DisplayBlocks::hasReady() const
 {
-    return m_opening || !m_touched.empty() || !m_writes.empty();
+    return m_opening || !m_touched.empty() || !m_writes.empty() || m_isMakingRoom;
 }
 
 bool DisplayBlocks::hasWork() const
@@ -254,6 +254,8 @@ DisplayUpdate DisplayBlocks::gathered()
     DisplayUpdate update;
     m_blocks.compact(kMovesAtOnce);
     m_noRoom = 0;
+    m_spared = 0;
+    m_isMakingRoom = false;
     update.capacity = m_blocks.capacity();
     update.moves = m_blocks.takeMoves();
     const std::size_t elementBytes = m_form.elementBytes();
@@ -358,9 +360,14 @@ bool DisplayBlocks::place(FaceId face, int level)
     return false;
 }
 
+/// A million faces that leave a view are given up without a copy: of vertices their bases are what
+/// their blocks begin with, where nothing was painted since.
 void DisplayBlocks::release(FaceId face, bool keeps)
 {
-    m_blocks.release(face, keeps);
+    m_blocks.release(face, keeps && m_hasOldBase[indexOf(face)]);
+    if (keeps) {
+        m_hasOldBase[indexOf(face)] = false;
+    }
     m_faces[indexOf(face)].shown = 0;
 }
 

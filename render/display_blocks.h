@@ -112,7 +112,7 @@ public:
     /// Goes by a view's plan from now on.
     void follow(ResidencyPlan plan);
     /// What to make next, up to so many bytes but at least one; none when there is nothing or no
-    /// room.
+    /// room, or room is made with the next update.
     /// \param means  whether means may be among it that nothing waits for
     JobBatch nextJobs(std::size_t bytes, bool means = true);
     /// Makes blocks of one store as it is: of another, and once it changed, another is needed.
@@ -202,8 +202,10 @@ protected:
     /// A block of a level for a face, for which room is made if need be. Without one it keeps its
     /// base, and a job comes later. \return whether it has the block
     bool place(FaceId face, int level);
-    /// The face keeps its base alone. \param keeps  as for `CardBlocks::release`
+    /// The face keeps its base alone. \param keeps  whether what its block shows is to be seen on
     void release(FaceId face, bool keeps);
+    /// From now on the base may not be what the face's block begins with.
+    void outdateBase(FaceId face) { m_hasOldBase[indexOf(face)] = true; }
     /// Notes the bytes appended since as elements of a face's block. \param first  in the block
     void write(FaceId face, std::uint8_t level, std::uint32_t first, std::size_t bytesBefore);
     void meanLater(FaceId face);
@@ -254,9 +256,11 @@ private:
     void makeRoomFor(std::uint64_t blockElements);
 
     // display_jobs.cpp
+    enum class Room { Found, None, Later };
     bool isUseful(const BlockJob& job) const;
     bool makeSpare(JobBatch& batch);
-    bool addJob(const BlockJob& job, JobBatch& batch);
+    bool isUpdateFull() const;
+    Room addJob(const BlockJob& job, JobBatch& batch);
     void addMeans(std::size_t bytes, JobBatch& batch);
     bool resize(FaceId face, int level, bool keeps = false);
     bool placeBlock(const BlockJob& job);
@@ -288,7 +292,10 @@ private:
     std::vector<bool> m_noMean;  ///< faces whose base is not their mean
     std::vector<FaceId> m_means; ///< the same, from m_nextMean on
     std::size_t m_nextMean = 0;
-    std::uint32_t m_noRoom = 0; ///< a bit a level that found none; until the next update
+    std::uint32_t m_noRoom = 0;  ///< a bit a level that found none; until the next update
+    std::size_t m_spared = 0;    ///< blocks made coarser or given up for others since the last one
+    bool m_isMakingRoom = false; ///< and more are to be, after the next one
+    std::vector<bool> m_hasOldBase; ///< faces of vertices: see `outdateBase`
 
     std::vector<Write> m_writes;
 };

@@ -39,6 +39,7 @@ bool DisplayBlocks::makeSpare(JobBatch& batch)
         if (shown <= job.level || m_inFlight[indexOf(job.face)] != 0) {
             continue;
         }
+        ++m_spared;
         if (job.level == 0) {
             release(job.face, !face.isStale());
             return true;
@@ -72,8 +73,15 @@ std::int64_t DisplayBlocks::roomUsed() const
     return used;
 }
 
-/// \return  false when there is no room for it
-bool DisplayBlocks::addJob(const BlockJob& job, JobBatch& batch)
+/// Whether as much is made coarser or moved for others as one update should hold.
+bool DisplayBlocks::isUpdateFull() const
+{
+    constexpr std::size_t kMostSpared = 1U << 14U;
+    constexpr std::size_t kMostMoves = 1U << 12U; // a millisecond where the processor draws
+    return m_spared >= kMostSpared || m_blocks.moveCount() >= kMostMoves;
+}
+
+DisplayBlocks::Room DisplayBlocks::addJob(const BlockJob& job, JobBatch& batch)
 {
     const auto shown = static_cast<std::size_t>(m_faces[indexOf(job.face)].level());
     const std::int64_t more =
@@ -83,14 +91,18 @@ bool DisplayBlocks::addJob(const BlockJob& job, JobBatch& batch)
                                static_cast<std::int64_t>(m_room.elements);
     };
     while (isTooMuch()) {
+        if (isUpdateFull()) {
+            m_isMakingRoom = true;
+            return Room::Later;
+        }
         if (!makeSpare(batch)) {
-            return false;
+            return Room::None;
         }
     }
     batch.jobs.push_back(job);
     batch.elements += more;
     ++m_inFlight[indexOf(job.face)];
-    return true;
+    return Room::Found;
 }
 
 /// Means of faces that have none yet.
@@ -112,7 +124,7 @@ JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
 {
     JobBatch batch;
     batch.generation = m_generation;
-    if (m_opens || m_opening || !m_isOpen) {
+    if (m_opens || m_opening || !m_isOpen || m_isMakingRoom) {
         return batch;
     }
     constexpr std::size_t kMostJobs = 2048; // so that no batch takes long to take over
@@ -121,16 +133,15 @@ JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
     std::size_t looks = 0; // most of a plan may have become needless
     const auto wantsMore = [&] {
         return (batch.jobs.empty() || (made < bytes && batch.jobs.size() < kMostJobs)) &&
-               looks++ < kMostLooks;
+               !m_isMakingRoom && looks++ < kMostLooks;
     };
     const auto tryJob = [&](const BlockJob& job) {
-        if (isUseful(job)) {
-            if (!addJob(job, batch)) {
-                return false;
-            }
-            made += bytesOf(job.level);
+        if (!isUseful(job)) {
+            return Room::Found;
         }
-        return true;
+        const Room room = addJob(job, batch);
+        made += room == Room::Found ? bytesOf(job.level) : 0;
+        return room;
     };
     for (std::size_t left = m_again.size(); wantsMore() && left > 0; --left) {
         const BlockJob job = m_again.front();
@@ -140,12 +151,23 @@ JobBatch DisplayBlocks::nextJobs(std::size_t bytes, bool means)
             continue;
         }
         m_isAgain.erase(keyOf(job));
-        if (!tryJob(job)) {
+        switch (tryJob(job)) {
+        case Room::Found:
+            break;
+        case Room::None:
             m_plans = true; // there is more to show than was planned for
+            break;
+        case Room::Later:
+            makeAgainLater(job);
+            break;
         }
     }
     while (wantsMore() && m_nextMake < m_plan.make.size()) {
-        if (!tryJob(m_plan.make[m_nextMake])) {
+        const Room room = tryJob(m_plan.make[m_nextMake]);
+        if (room == Room::Later) {
+            break;
+        }
+        if (room == Room::None) {
             if (batch.jobs.empty() && m_elementsInFlight == 0) {
                 m_nextMake = m_plan.make.size(); // blocks do not fit as well as was thought
             }

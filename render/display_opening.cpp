@@ -57,6 +57,7 @@ void DisplayBlocks::openFresh(FreshBlocks fresh)
     m_faces = std::move(fresh.faces);
     ++m_generation;
     m_inFlight.assign(count, 0);
+    m_hasOldBase.assign(count, false);
     m_elementsInFlight = 0;
     m_plan = {};
     m_plan.wanted.assign(count, m_followsView ? 0 : Level::kMax);

@@ -114,6 +114,7 @@ DisplayVertices::Work DisplayVertices::takeTouched(const TexelStore& store, std:
         const auto at = m_touched.find(number);
         const Rect rect = at->second;
         m_touched.erase(at);
+        forFacesAbout(face, [&](FaceId about) { outdateBase(about); });
         const FaceRecord& record = m_blocks.record(face);
         const bool isOther = rect.whole || record.isConstant() ||
                              record.ownLevel() != m_form.shownLevel(store.face(face)).log2();
