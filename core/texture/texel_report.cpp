@@ -147,10 +147,7 @@ std::string fixed(double value)
 
 } // namespace
 
-TexelReport describe(const WalkedSurface& surface,
-                     const TexelPlace& place,
-                     glm::dvec2 uv,
-                     std::span<const std::byte> stored)
+TexelReport describePlace(const WalkedSurface& surface, const TexelPlace& place, glm::dvec2 uv)
 {
     check(indexOf(place.face) < surface.texels.faceCount(), "a face of the surface");
     const FaceTexels& face = surface.texels.face(place.face);
@@ -162,16 +159,29 @@ TexelReport describe(const WalkedSurface& surface,
     report.pixel = packedPixel(report.level, place.texel);
     report.uv = uv;
     report.format = surface.texels.format();
-    report.stored.assign(stored.begin(), stored.end());
-    if (stored.empty()) {
-        report.stored.resize(report.format.texelBytes());
-        reducedTexel(report.format, face, report.levelsDropped, report.index, report.stored);
-    }
-    report.values.resize(report.format.channels);
-    decode(report.format.type, report.stored, report.values);
     for (const LocalEdge edge : kLocalEdges) {
         report.neighbours[indexOf(edge)] = texelsAcross(surface, place, edge);
     }
+    return report;
+}
+
+TexelReport describe(const WalkedSurface& surface,
+                     const TexelPlace& place,
+                     glm::dvec2 uv,
+                     std::span<const std::byte> stored)
+{
+    TexelReport report = describePlace(surface, place, uv);
+    report.stored.assign(stored.begin(), stored.end());
+    if (stored.empty()) {
+        report.stored.resize(report.format.texelBytes());
+        reducedTexel(report.format,
+                     surface.texels.face(place.face),
+                     report.levelsDropped,
+                     report.index,
+                     report.stored);
+    }
+    report.values.resize(report.format.channels);
+    decode(report.format.type, report.stored, report.values);
     return report;
 }
 
@@ -236,8 +246,10 @@ std::vector<ReportLine> linesOf(const TexelReport& report)
             general(double{report.position->x}, 7) + "  " + general(double{report.position->y}, 7) +
                 "  " + general(double{report.position->z}, 7));
     }
-    add("Stored", storedText(report.format.type, report.values));
-    add("Bytes", toHex(report));
+    if (!report.stored.empty()) {
+        add("Stored", storedText(report.format.type, report.values));
+        add("Bytes", toHex(report));
+    }
     if (report.display) {
         add("Shown", listed(report.display->values, shownNumber));
         add("Colour", colorText(report.display->color));
@@ -276,9 +288,11 @@ std::string toJson(const TexelReport& report)
                  {"pixel", {report.pixel.x, report.pixel.y}},
                  {"uvw", {report.uv.x, report.uv.y, report.w()}},
                  {"type", trixel::nameOf(report.format.type)},
-                 {"channels", report.format.channels},
-                 {"stored", jsonStored(report.format.type, report.values)},
-                 {"bytes", toHex(report)}};
+                 {"channels", report.format.channels}};
+    if (!report.stored.empty()) {
+        json["stored"] = jsonStored(report.format.type, report.values);
+        json["bytes"] = toHex(report);
+    }
     if (report.format.alpha) {
         json["alpha"] = *report.format.alpha;
     }

@@ -36,8 +36,9 @@ struct TexelReport
     PackedPixel pixel;
     glm::dvec2 uv{0}; ///< the point looked at; w = 1 - u - v
     TexelFormat format;
-    std::vector<std::byte> stored; ///< the bytes of the texel, as its face stores or would store it
-    std::vector<float> values;     ///< the same as numbers, one a channel (`decode`)
+    /// The bytes of the texel, as its face stores or would store it; none while they are not known.
+    std::vector<std::byte> stored;
+    std::vector<float> values; ///< the same as numbers, one a channel (`decode`)
     std::array<std::optional<TexelsAcross>, 3> neighbours; ///< across its edges; none: a border
 
     // What only a mesh or a view knows.
@@ -55,6 +56,9 @@ TexelReport describe(const WalkedSurface& surface,
                      const TexelPlace& place,
                      glm::dvec2 uv,
                      std::span<const std::byte> stored = {});
+
+/// The same of a texel whose bytes are not known yet: reads nothing.
+TexelReport describePlace(const WalkedSurface& surface, const TexelPlace& place, glm::dvec2 uv);
 
 /// Numbers as the type stores them, separated by two spaces: whole ones for the integer types,
 /// else seven digits; the first few of many channels, and how many there are.

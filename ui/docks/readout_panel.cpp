@@ -267,20 +267,26 @@ void ReadoutPanel::refresh()
         return;
     }
     const TexelReport& report = m_texel->report;
+    const bool isRead = !report.stored.empty();
+    for (const char* name : {"Stored", "Shown", "Colour"}) {
+        set(name, isRead ? nothing() : tr("reading…"));
+    }
     for (const ReportLine& line : linesOf(report)) {
         set(QString::fromStdString(line.name), QString::fromStdString(line.value));
     }
     m_address->setText(QString::fromStdString(toText(report.place)));
     set("Position", positionText(m_texel->point.position, m_document.surface()->size()));
-    if (m_hex->isChecked()) {
+    if (isRead && m_hex->isChecked()) {
         set("Stored", QString::fromStdString(toHex(report)));
     }
     if (report.display) {
         const auto& color = report.display->color;
         m_chip->setColor(QColor(color[0], color[1], color[2], color[3]));
+    } else if (!isRead) {
+        m_chip->setColor(Qt::transparent);
     }
-    m_chip->setEnabled(true);
-    m_copy->setEnabled(true);
+    m_chip->setEnabled(isRead);
+    m_copy->setEnabled(isRead);
     showNeighbours();
     const auto values = footprintValues();
     for (std::size_t row = 0; row < kFootprintRows.size(); ++row) {

@@ -14,8 +14,35 @@ namespace {
 /// Up to here the texels below one are fewer than a glance costs; from here on it is cheaper to
 /// reduce the face once.
 constexpr int kFewLevels = 6;
+/// Texels of a face that are reduced here and now.
+constexpr std::uint32_t kFewTexels = 1U << 14U;
+
+bool isConstantOrNear(const FaceTexels& texels, int levelsDropped)
+{
+    return texels.isConstant() || levelsDropped <= kFewLevels;
+}
 
 } // namespace
+
+bool ShownTexels::has(const TexelStore& store, FaceId face, int levelsDropped) const
+{
+    const FaceTexels& texels = store.face(face);
+    return keeps(face, levelsDropped) ||
+           (texels.isLoaded() &&
+            (isConstantOrNear(texels, levelsDropped) || texels.level().texelCount() <= kFewTexels));
+}
+
+std::optional<ShownTexels::Reduced> ShownTexels::prepare(const TexelFormat& format,
+                                                         FaceId face,
+                                                         const FaceTexels& texels,
+                                                         int levelsDropped)
+{
+    (void)texels.bytes();
+    return isConstantOrNear(texels, levelsDropped)
+               ? std::nullopt
+               : std::optional(
+                     Reduced{face, levelsDropped, reduced(format, texels, levelsDropped)});
+}
 
 std::vector<float>
 ShownTexels::values(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index)
@@ -31,12 +58,12 @@ ShownTexels::stored(const TexelStore& store, FaceId face, int levelsDropped, Tex
     const TexelFormat& format = store.format();
     const FaceTexels& texels = store.face(face);
     std::vector<std::byte> result(format.texelBytes());
-    if (levelsDropped <= kFewLevels || texels.isConstant()) {
+    if (isConstantOrNear(texels, levelsDropped)) {
         reducedTexel(format, texels, levelsDropped, index, result);
         return result;
     }
-    if (!m_reduced || m_reduced->face != face || m_reduced->levelsDropped != levelsDropped) {
-        m_reduced = {face, levelsDropped, reduced(format, texels, levelsDropped)};
+    if (!keeps(face, levelsDropped)) {
+        keep({face, levelsDropped, reduced(format, texels, levelsDropped)});
     }
     std::ranges::copy(m_reduced->texels.texel(indexOf(index)), result.begin());
     return result;
@@ -55,10 +82,13 @@ HoveredTexel describeTexel(const Surface& surface,
     HoveredTexel hovered;
     hovered.point = point;
     hovered.report =
-        describe(walked,
-                 place,
-                 uv,
-                 shown.stored(store, point.face, levelsDropped, texelIndex(level, place.texel)));
+        shown.has(store, point.face, levelsDropped)
+            ? describe(
+                  walked,
+                  place,
+                  uv,
+                  shown.stored(store, point.face, levelsDropped, texelIndex(level, place.texel)))
+            : describePlace(walked, place, uv);
     hovered.report.position = point.position;
     if (const std::uint32_t source = surface.mesh().sourceFace(point.face);
         source != indexOf(point.face)) {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace trixel::ui {
@@ -33,7 +34,7 @@ struct HoveredTexel
     TexelCoord texel;
     TexelIndex index{};
     PackedPixel pixel;
-    std::vector<float> values; ///< one a channel, as stored
+    std::vector<float> values; ///< one a channel, as stored; none while its face is being read
     bool isHeld = false;       ///< and stays when the pointer goes elsewhere
     bool hasFootprint = false; ///< not for a point behind the camera: then the next two are empty
     Footprint footprint;
@@ -48,6 +49,24 @@ struct HoveredTexel
 class ShownTexels
 {
 public:
+    /// A face reduced.
+    struct Reduced
+    {
+        FaceId face{};
+        int levelsDropped = 0;
+        FaceTexels texels;
+    };
+
+    /// Whether a texel is there at once: no file is to be read for it, and no large face reduced.
+    bool has(const TexelStore& store, FaceId face, int levelsDropped) const;
+    /// Does what `has` is short of, on any thread: reads the face, which stays in the memory that
+    /// its copies share, and reduces it where single texels would take long.
+    /// \return  none where reading was all
+    static std::optional<Reduced>
+    prepare(const TexelFormat& format, FaceId face, const FaceTexels& texels, int levelsDropped);
+    /// Takes a face that is as the store has it.
+    void keep(Reduced reduced) { m_reduced = std::move(reduced); }
+
     /// Values of a texel, one a channel. \param level  the face's own, less the levels dropped
     std::vector<float>
     values(const TexelStore& store, FaceId face, int levelsDropped, TexelIndex index);
@@ -59,16 +78,16 @@ public:
     void forget() { m_reduced.reset(); }
 
 private:
-    struct Reduced
+    bool keeps(FaceId face, int levelsDropped) const
     {
-        FaceId face{};
-        int levelsDropped = 0;
-        FaceTexels texels;
-    };
+        return m_reduced && m_reduced->face == face && m_reduced->levelsDropped == levelsDropped;
+    }
+
     std::optional<Reduced> m_reduced;
 };
 
-/// What can be said of the texel at a point of a surface, whoever looks at it from where.
+/// What can be said of the texel at a point of a surface, whoever looks at it from where: its
+/// values only where they are there at once (`ShownTexels::has`).
 HoveredTexel describeTexel(const Surface& surface,
                            const TexelStore& store,
                            ShownTexels& shown,

@@ -88,7 +88,8 @@ public:
     /// at, wherever that was pointed at. Before, the view looks on its own. It must outlive the
     /// view.
     void useInspection(Inspection& inspection);
-    /// The texel looked at as it is shown here, also after the pointer has left.
+    /// The texel looked at as it is shown here, also after the pointer has left. Without values
+    /// while its face is being read (`inspectedRead`).
     std::optional<HoveredTexel> inspectedTexel() const;
     /// Asks in a line over the view which texel to go to.
     void askForTexel();
@@ -171,6 +172,8 @@ signals:
     /// The texel looked at: held, or under a pointer here or in a panel; nothing when there is
     /// none.
     void hovered(const std::optional<trixel::ui::HoveredTexel>& texel);
+    /// Values of the texel looked at that had to be read first may be there now.
+    void inspectedRead();
     /// Where the pointer is over the view, also when the view moves under it; nothing when it left.
     void pointerMoved(const std::optional<QPointF>& position);
     /// The camera moved or the picture has another size.

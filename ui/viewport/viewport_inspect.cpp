@@ -80,7 +80,7 @@ void Viewport::Private::watchInspection()
     inspection->setLevelsDropped(shownView.mipDrop);
     QObject::connect(inspection, &Inspection::changed, &q, [this] {
         if (!pointsItself) {
-            shownTexels.forget(); // what changed may be the texels, of which this hears first
+            reading.forget(); // what changed may be the texels, of which this hears first
             showInspected();
         }
     });
@@ -90,6 +90,11 @@ void Viewport::Private::watchInspection()
         }
     });
     QObject::connect(inspection, &Inspection::wentTo, &q, [this] { bringIntoSight(); });
+    QObject::disconnect(&reading, nullptr, &q, nullptr); // of the inspection before
+    QObject::connect(&reading, &TexelReading::read, &q, [this] {
+        showInspected();
+        emit q.inspectedRead();
+    });
     showInspected();
 }
 
@@ -102,10 +107,13 @@ std::optional<HoveredTexel> Viewport::Private::describedTexel()
     const SeenSurface surface = seen();
     const SurfacePoint point{
         texel->place.face, texel->uv, surface.position(texel->place.face, texel->uv)};
+    reading.want(texels(), point.face, shownView.mipDrop);
     HoveredTexel described =
-        describeTexel(*shownSurface, texels(), shownTexels, point, shownView.mipDrop);
+        describeTexel(*shownSurface, texels(), reading.shown(), point, shownView.mipDrop);
     described.isHeld = inspection->isHeld();
-    described.report.display = displayOf(texels().format(), described.values, settings.look());
+    if (!described.values.empty()) {
+        described.report.display = displayOf(texels().format(), described.values, settings.look());
+    }
     const bool underPointer =
         !described.isHeld && pointed && pointed->face == point.face && pointed->uv == point.uv;
     if (underPointer) {

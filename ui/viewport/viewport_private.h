@@ -22,6 +22,7 @@
 #include "ui/viewport/split_bar.h"
 #include "ui/viewport/stroke_input.h"
 #include "ui/viewport/surface_lines.h"
+#include "ui/viewport/texel_reading.h"
 #include "ui/viewport/view_settings.h"
 #include "ui/viewport/viewport.h"
 
@@ -221,7 +222,7 @@ public:
     Inspection* inspection = nullptr;
     bool pointsItself = false;                ///< what changes is described once, at the end
     std::optional<HoveredTexel> hoveredTexel; ///< the texel looked at
-    ShownTexels shownTexels;
+    TexelReading reading;
 
     Interaction interaction = Interaction::None;
     Qt::MouseButton heldButton = Qt::NoButton;

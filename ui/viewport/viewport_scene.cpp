@@ -45,7 +45,7 @@ void Viewport::Private::takeSurface()
     stroke.cancel();
     stroke.forgetLastPoint();
     interaction = Interaction::None;
-    shownTexels.forget();
+    reading.forget();
     painting.forget();
     meshDirty = true;
     texelsDirty = true;
@@ -76,7 +76,7 @@ void Viewport::Private::takeSurface()
 /// Of copies that are only shown: what was read for them can be read again.
 void Viewport::Private::releaseHeldTexels()
 {
-    shownTexels.forget();
+    reading.forget();
     texelsBefore.releaseHeld();
     if (otherTexels) {
         otherTexels->releaseHeld();
@@ -85,7 +85,7 @@ void Viewport::Private::releaseHeldTexels()
 
 void Viewport::Private::takeChange(const Change& change)
 {
-    shownTexels.forget();
+    reading.forget();
     streaming.texelsChanged();
     const bool isHeld = painting.hold(change, document.texels());
     if (otherTexels) {
@@ -121,7 +121,7 @@ void Viewport::Private::setOtherTexels(std::optional<TexelStore> others)
     }
     const bool hasOtherLevels = !sameLevels(others ? *others : document.texels(), texels());
     otherTexels = std::move(others);
-    shownTexels.forget();
+    reading.forget();
     streaming.texelsChanged();
     if (hasOtherLevels) {
         forgetFilterMesh();
@@ -139,7 +139,7 @@ void Viewport::Private::takeView()
     if (settings.view().mipDrop != shownView.mipDrop) {
         texelsDirty = true;
         otherSideDirty = true;
-        shownTexels.forget();
+        reading.forget();
     }
     shownView = settings.view();
     {

@@ -192,7 +192,7 @@ void Viewport::Private::pickAt(glm::dvec2 position)
     const Level level = store.face(point->face).level().coarser(shownView.mipDrop);
     const TexelIndex index = texelIndex(level, texelAt(level, glm::dvec2(point->uv)));
     emit q.colorPicked(
-        brushColor(shownTexels.values(store, point->face, shownView.mipDrop, index)));
+        brushColor(reading.shown().values(store, point->face, shownView.mipDrop, index)));
 }
 
 void Viewport::Private::dragBrush(glm::dvec2 pixels)

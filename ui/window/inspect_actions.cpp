@@ -59,7 +59,7 @@ void InspectActions::makeCopies(QWidget& window)
         copy(m_readout.text(), tr("Copied the readout as text"));
     });
     connect(hex, &QAction::triggered, this, [this] {
-        if (const auto& texel = m_readout.texel()) {
+        if (const auto& texel = m_readout.texel(); texel && !texel->report.stored.empty()) {
             copy(QString::fromStdString(toHex(texel->report)), tr("Copied the texel's bytes"));
         }
     });

@@ -83,11 +83,13 @@ void WorkPanels::makeReadout()
                 }
             });
     // The texel that stays when the pointer has left may be painted over, or shown otherwise.
-    connect(&m_work.inspection, &Inspection::changed, m_readout, [this] {
+    const auto showLeft = [this] {
         if (!m_work.inspection.isPointedAt()) {
             m_readout->show(m_work.viewport.inspectedTexel());
         }
-    });
+    };
+    connect(&m_work.inspection, &Inspection::changed, m_readout, showLeft);
+    connect(&m_work.viewport, &Viewport::inspectedRead, m_readout, showLeft);
     connect(m_hoverFilter, &HoverFilter::answered, m_readout, &ReadoutPanel::showFiltered);
     connect(m_hoverFilter, &HoverFilter::unanswered, m_readout, &ReadoutPanel::showUnfiltered);
 }

@@ -98,6 +98,24 @@ private slots:
         }
     }
 
+    void valuesThatAreBeingReadAreSaidToBe()
+    {
+        showPanel();
+        HoveredTexel texel = upperTexel(*m_document);
+        m_panel->show(texel);
+        QTRY_COMPARE(valueNamed(*m_panel, "Stored")->text(), QString("200  0  255"));
+        texel.values.clear();
+        texel.report.values.clear();
+        texel.report.stored.clear();
+        texel.report.display.reset();
+        m_panel->show(texel);
+        for (const char* row : {"Stored", "Shown", "Colour"}) {
+            QTRY_COMPARE(valueNamed(*m_panel, row)->text(), QString("reading…"));
+        }
+        QCOMPARE(valueNamed(*m_panel, "Level")->text(), QString("3 · 8 × 8"));
+        QVERIFY(!m_panel->text().contains("Bytes"));
+    }
+
     void everyLineOfATexelHasARow()
     {
         showPanel();

@@ -8,6 +8,7 @@
 #include "ui/viewport/footprint_legend.h"
 
 #include <cmath>
+#include <future>
 #include <optional>
 
 using namespace trixel;
@@ -111,6 +112,28 @@ public:
 
 private:
     std::array<std::byte, 3> m_mean{std::byte{90}, std::byte{90}, std::byte{90}};
+};
+
+/// A file that takes as long to read as the test wants.
+class SlowFaces final : public FaceReader
+{
+public:
+    explicit SlowFaces(std::shared_future<void> gate)
+        : m_gate(std::move(gate))
+    {
+    }
+
+    Result<bool> read(FaceId face, Level level, std::span<std::byte> texels) const override
+    {
+        m_gate.wait();
+        return m_faces.read(face, level, texels);
+    }
+    bool stores(FaceId, Level) const override { return false; }
+    std::span<const std::byte> mean(FaceId face) const override { return m_faces.mean(face); }
+
+private:
+    std::shared_future<void> m_gate;
+    GreyFaces m_faces;
 };
 
 } // namespace
@@ -370,6 +393,38 @@ private slots:
         }
         movePointer(*m_view->viewport, QPoint(3, 3));
         QVERIFY(!last);
+    }
+
+    void hoverDoesNotWaitForAFaceThatIsBeingRead()
+    {
+        std::promise<void> gate;
+        Project project = squareProject();
+        const auto faces = StoredFaces::make(
+            project.texels.format(), std::make_unique<SlowFaces>(gate.get_future().share()));
+        for (const FaceId face : {kFace0, kFace1}) {
+            project.texels.exchange(face, faces->face(face, Level(3)));
+        }
+        project.storedFaces = faces;
+        m_view->document.open(std::move(project), {}, "stored");
+        std::optional<HoveredTexel> last;
+        connect(m_view->viewport.get(), &Viewport::hovered, this, [&](const auto& t) { last = t; });
+        QSignalSpy read(m_view->viewport.get(), &Viewport::inspectedRead);
+        movePointer(*m_view->viewport, m_view->texelPosition(kFace0, kLower));
+        movePointer(*m_view->viewport, m_view->texelPosition(kFace1, kUpper));
+        const bool isAnswered = last.has_value(); // with the file still closed
+        const auto told = last.value_or(HoveredTexel());
+        const std::uint64_t bytesRead = faces->readBytes();
+        gate.set_value();
+        QVERIFY(isAnswered);
+        QCOMPARE(bytesRead, std::uint64_t{0});
+        QCOMPARE(told.point.face, kFace1);
+        QCOMPARE(told.texel, kUpper);
+        QVERIFY(told.values.empty());
+        QVERIFY(!told.report.display);
+        QTRY_VERIFY(last && !last->values.empty());
+        QCOMPARE(last->point.face, kFace1);
+        QVERIFY(std::abs(last->values[1] - 90.0F / 255.0F) < 1e-6F);
+        QVERIFY(read.count() > 0);
     }
 
     void hoverTellsTheFootprintOfThePixel()
