@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/compose.h"
+#include "core/texture/stored_faces.h"
 #include "core/texture/texel_patch.h"
 #include "tests/core/cancel_after.h"
 #include "tests/core/layers/layers_fixture.h"
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
 using namespace trixel;
 using namespace trixel::test;
@@ -91,6 +93,44 @@ void editAtRandom(std::mt19937& random, LayerStack& stack)
         store.exchange(face, randomFace(random, store.format(), store.face(face).level()));
     }
     }
+}
+
+/// Faces of three channels of bytes, of which one cannot be read.
+class OneFails final : public FaceReader
+{
+public:
+    explicit OneFails(FaceId fails)
+        : m_fails(fails)
+    {
+    }
+    Result<bool> read(FaceId face, Level /*level*/, std::span<std::byte> texels) const override
+    {
+        std::ranges::fill(texels, std::byte{77});
+        texels[0] = std::byte{9};
+        return face == m_fails ? Result<bool>(contentsError("torn")) : Result<bool>(true);
+    }
+    bool stores(FaceId /*face*/, Level /*level*/) const override { return false; }
+    std::span<const std::byte> mean(FaceId /*face*/) const override { return m_mean; }
+
+private:
+    FaceId m_fails;
+    std::array<std::byte, 3> m_mean{};
+};
+
+/// A base of 20 faces that lie in a file, the third torn, and a layer that covers some of them.
+LayerStack storedStack(std::span<const FaceId> covered)
+{
+    const auto stored = StoredFaces::make(TexelFormat(), std::make_unique<OneFails>(faceId(3)));
+    TexelStore base(20, TexelFormat(), Level(2), std::vector<std::byte>(3));
+    for (const FaceId face : allFaces(base)) {
+        base.exchange(face, stored->face(face, Level(2)));
+    }
+    LayerStack stack(std::move(base));
+    TexelStore& layer = stack.texels(stack.insert(0, {}));
+    for (const FaceId face : covered) {
+        layer.writable(face)[3] = std::byte{128};
+    }
+    return stack;
 }
 
 } // namespace
@@ -329,4 +369,52 @@ TEST(Compose, stopsWhenCancelled)
         ASSERT_FALSE(result);
         EXPECT_EQ(result.error().kind, ErrorKind::Cancelled);
     }
+}
+
+TEST(Compose, facesInAFileAreReadOnlyWhereSomethingCoversThem)
+{
+    const std::array covered{faceId(4), faceId(5)};
+    const LayerStack stack = storedStack(covered);
+    const TexelStore shown = shownOf(stack).shown;
+    for (const FaceId face : allFaces(shown)) {
+        const bool isCovered = face == covered[0] || face == covered[1];
+        EXPECT_EQ(shown.face(face).isStored(), !isCovered);
+        EXPECT_FALSE(stack.base().face(face).isLoaded()); // held no longer than it took
+    }
+    expectShows(stack, shown);
+}
+
+TEST(Compose, aFaceThatCouldNotBeReadIsNamedAndNeverPassesForPaint)
+{
+    const std::array covered{faceId(2), faceId(3)};
+    const LayerStack stack = storedStack(covered);
+    NoProgress progress;
+    const auto refused = composed(stack, Threads{2}, progress);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "face 3 could not be read from its file; fill it before layers are put together "
+              "there");
+    TexelStore shown = stack.base();
+    recompose(stack, covered, shown, Threads{2});
+    EXPECT_FALSE(shown.face(faceId(2)).isDamaged());
+    EXPECT_TRUE(shown.face(faceId(3)).isDamaged());
+    EXPECT_TRUE(shown.face(faceId(3)).pinned().isDamaged());
+    EXPECT_FALSE(shown.checkWhole());
+}
+
+TEST(Compose, oneValueAtAnotherLevelIsAnotherFace)
+{
+    const std::vector<std::byte> grey(3, std::byte{128});
+    LayerStack stack(TexelStore(3, formatOf(TexelType::UInt8, 3), Level(3), grey));
+    const LayerId layer = stack.insert(0, {});
+    const auto thin = encoded(TexelType::UInt8, std::array{1.0F, 0.0F, 0.0F, 0.5F});
+    stack.texels(layer).exchange(faceId(1), FaceTexels::constant(Level(3), thin));
+    const Layered before = shownOf(stack);
+    for (const LayerId id : {kBaseLayer, layer}) {
+        TexelStore& store = stack.texels(id);
+        store.exchange(faceId(1), store.face(faceId(1)).atLevel(Level(1)));
+    }
+    NoProgress progress;
+    const Layered after = recomposed(stack, before, Threads{2}, progress).value();
+    EXPECT_EQ(after.shown.face(faceId(1)).level(), Level(1));
 }
