@@ -3,6 +3,7 @@
 
 #include "core/io/channel_colors.h"
 #include "core/io/project_metadata.h"
+#include "core/layers/layer_edits.h"
 
 #include <algorithm>
 #include <cstring>
@@ -145,33 +146,6 @@ Result<TexelStore> withChannels(const TexelStore& texels,
 void forgetFill(Project& project)
 {
     std::erase_if(project.metadata, [](const PtxMetadata& item) { return item.key == kFillKey; });
-}
-
-/// The layer's texels, their coverage times its opacity.
-Result<TexelStore>
-layerAlone(const LayerStack& layers, LayerId layer, Threads threads, Progress& progress)
-{
-    if (layer == kBaseLayer) {
-        return layers.base();
-    }
-    const TexelStore& texels = layers.texels(layer);
-    const TexelFormat format = texels.format();
-    const float opacity = layers.settings(layer).opacity;
-    const auto weighted = [format, opacity](const FaceTexels& face) {
-        const std::size_t size = byteSize(format.type);
-        std::vector<std::byte> bytes(face.bytes().begin(), face.bytes().end());
-        for (std::size_t end = format.texelBytes(); end <= bytes.size();
-             end += format.texelBytes()) {
-            const std::span<std::byte> coverage = std::span(bytes).subspan(end - size, size);
-            float value = 0;
-            decode(format.type, coverage, {&value, 1});
-            value *= opacity;
-            encode(format.type, {&value, 1}, coverage);
-        }
-        return face.isConstant() ? FaceTexels::constant(face.level(), bytes)
-                                 : FaceTexels::full(face.level(), format.texelBytes(), bytes);
-    };
-    return texels.transformed(format, weighted, threads, progress);
 }
 
 /// The project as if the layer was all of it.
