@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QObject>
 
+#include "core/io/layers_metadata.h"
 #include "core/io/ptx_reader.h"
 #include "ui/document/project_files.h"
 
@@ -95,24 +96,27 @@ Result<OtherFile> lookAtOther(const std::filesystem::path& path,
     if (!file) {
         return tl::unexpected(file.error());
     }
-    if (file->faceCount() == surface.mesh().faceCount() &&
-        file->format().channels != format.channels) {
-        return contentsError(QObject::tr("%1: has %2, this project %3")
-                                 .arg(QString::fromStdString(path.string()),
-                                      channelsText(file->format().channels),
-                                      channelsText(format.channels))
-                                 .toStdString());
-    }
     const auto metadata = file->metadata(budget);
     if (!metadata) {
         return prefixed(path.string(), metadata.error());
+    }
+    const auto theirs = shownFormat(file->format(), *metadata);
+    if (!theirs) {
+        return prefixed(path.string(), theirs.error());
+    }
+    if (file->faceCount() == surface.mesh().faceCount() && theirs->channels != format.channels) {
+        return contentsError(QObject::tr("%1: has %2, this project %3")
+                                 .arg(QString::fromStdString(path.string()),
+                                      channelsText(theirs->channels),
+                                      channelsText(format.channels))
+                                 .toStdString());
     }
     auto match = matchPtx(*file, *metadata, surface, progress);
     if (!match) {
         return match.error().kind == ErrorKind::Contents ? prefixed(path.string(), match.error())
                                                          : tl::unexpected(match.error());
     }
-    return OtherFile{file->format(), file->faceCount(), std::move(*match)};
+    return OtherFile{*theirs, file->faceCount(), std::move(*match)};
 }
 
 Result<std::shared_ptr<const FileComparison>>
