@@ -5,6 +5,7 @@
 #include "app/cli/bake_images.h"
 #include "app/cli/bake_mapping.h"
 #include "app/cli/file_kind.h"
+#include "app/cli/paint_layer.h"
 #include "app/cli/verb.h"
 #include "core/io/channel_colors.h"
 
@@ -77,14 +78,15 @@ Status bakeInto(Project& project, const Arguments& arguments, MappingKind kind, 
     for (std::uint32_t k = 0; k < project.texels.faceCount(); ++k) {
         faces.push_back(faceId(k));
     }
-    StageProgress baking(progress, 0.3, 1);
-    const auto patch = bake(project.texels, faces, **mapping, images->tiles, options, baking);
-    if (!patch) {
-        return patch.error().kind == ErrorKind::Cancelled
-                   ? tl::unexpected(patch.error())
-                   : Status(prefixed(arguments.project, patch.error()));
-    }
-    return {};
+    StageProgress baking(progress, 0.3, 0.95);
+    TexelStore painted = project.texels;
+    const auto patch = bake(painted, faces, **mapping, images->tiles, options, baking);
+    StageProgress taking(progress, 0.95, 1);
+    const Status taken = patch ? takePaint(project, std::move(painted), "Image", taking)
+                               : tl::unexpected(patch.error());
+    return taken || taken.error().kind == ErrorKind::Cancelled
+               ? taken
+               : Status(prefixed(arguments.project, taken.error()));
 }
 
 Result<Outcome> bakeVerb(const Arguments& arguments, Progress& progress)

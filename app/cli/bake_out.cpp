@@ -2,9 +2,11 @@
 #include "app/cli/arguments.h"
 #include "app/cli/bake_images.h"
 #include "app/cli/file_kind.h"
+#include "app/cli/layer_argument.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/io/export_uv_image.h"
+#include "core/io/project_part.h"
 #include "core/resample/uv_image.h"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +27,7 @@ struct Arguments
     std::optional<std::string> as;
     bool levels = false;
     std::optional<std::string> threads;
+    std::optional<std::string> layer;
 };
 
 /// "2048" or "2048x1024".
@@ -84,6 +87,21 @@ void print(const UvTileOutcome& tile)
     std::cout << '\n';
 }
 
+/// What is shown, or the layer that is asked for.
+Result<Project>
+partToBake(const Project& project, const Arguments& arguments, Threads threads, Progress& progress)
+{
+    ProjectPart part;
+    if (arguments.layer) {
+        const auto layer = layerOf("--layer", *arguments.layer, project.layers);
+        if (!layer) {
+            return prefixed(arguments.project, layer.error());
+        }
+        part.layer = *layer;
+    }
+    return partOf(project, part, threads, progress);
+}
+
 Result<Outcome> bakeOut(const Arguments& arguments, Progress& progress)
 {
     const auto options = optionsOf(arguments);
@@ -99,9 +117,14 @@ Result<Outcome> bakeOut(const Arguments& arguments, Progress& progress)
     if (const auto usable = uvTiles(project->surface->mesh()); !usable) {
         return prefixed(arguments.project, usable.error());
     }
-    StageProgress writing(progress, 0.1, 1);
+    StageProgress parting(progress, 0.1, 0.15);
+    const auto part = partToBake(*project, arguments, *count, parting);
+    if (!part) {
+        return tl::unexpected(part.error());
+    }
+    StageProgress writing(progress, 0.15, 1);
     const auto tiles =
-        exportUvImages(ImageWorker(), arguments.output, *project, *options, *count, writing);
+        exportUvImages(ImageWorker(), arguments.output, *part, *options, *count, writing);
     if (!tiles) {
         return tl::unexpected(tiles.error());
     }
@@ -143,6 +166,7 @@ void addBakeOut(CLI::App& parser, Work& chosen)
         ->type_name("SPACE");
     verb->add_flag(
         "--levels", arguments->levels, "With all its halves, as renderers want textures");
+    addLayerOption(*verb, arguments->layer);
     verb->add_option("--threads",
                      arguments->threads,
                      "Threads to use, all cores by default; the result is the same")

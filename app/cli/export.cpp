@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/arguments.h"
 #include "app/cli/file_kind.h"
+#include "app/cli/layer_argument.h"
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/io/export_project.h"
@@ -39,6 +40,7 @@ struct Arguments
     bool powerOfTwo = false;
     std::optional<std::string> faces;
     std::optional<std::string> channels;
+    std::optional<std::string> layer;
     bool estimate = false;
     bool json = false;
 };
@@ -355,7 +357,7 @@ Result<Outcome> exportAs(const Arguments& arguments, Progress& progress)
         return tl::unexpected(usable.error());
     }
     const auto options = optionsOf(arguments);
-    const auto part = projectPart(arguments);
+    auto part = projectPart(arguments);
     if (!options || !part) {
         return tl::unexpected(options ? part.error() : options.error());
     }
@@ -363,6 +365,13 @@ Result<Outcome> exportAs(const Arguments& arguments, Progress& progress)
     const auto project = openPainted(arguments.project, opening);
     if (!project) {
         return tl::unexpected(project.error());
+    }
+    if (arguments.layer) {
+        const auto layer = layerOf("--layer", *arguments.layer, project->layers);
+        if (!layer) {
+            return prefixed(arguments.project, layer.error());
+        }
+        part->layer = *layer;
     }
     StageProgress writing(progress, 0.2, 1);
     if (*target != Target::Ptx) {
@@ -435,6 +444,7 @@ void addExport(CLI::App& parser, Work& chosen)
         ->type_name("N,N-N,...");
     verb->add_option("--channels", arguments->channels, "Only these, from 0; else all")
         ->type_name("N,N,...");
+    addLayerOption(*verb, arguments->layer);
     addAtlasOptions(*verb, *arguments);
     verb->callback([arguments, &chosen] {
         chosen = [arguments](Progress& progress) { return exportAs(*arguments, progress); };

@@ -3,6 +3,7 @@
 
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
+#include "core/io/layers_metadata.h"
 #include "core/io/project_metadata.h"
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/surface.h"
@@ -110,10 +111,18 @@ nlohmann::json jsonOf(const PtxSummary& ptx)
         }
     }
     const auto vertices = vertexCount(ptx);
+    nlohmann::json layers = nlohmann::json::array();
+    for (const LayerSettings& layer : ptx.layers) {
+        layers.push_back({{"name", layer.name},
+                          {"opacity", layer.opacity},
+                          {"blend", trixel::nameOf(layer.blend)},
+                          {"visible", layer.isVisible}});
+    }
     return {{"vertices", vertices ? nlohmann::json(*vertices) : nlohmann::json()},
             {"type", trixel::nameOf(ptx.format.type)},
             {"channels", ptx.format.channels},
             {"alpha", ptx.format.alpha ? nlohmann::json(*ptx.format.alpha) : nlohmann::json()},
+            {"layers", layers},
             {"levels", levels},
             {"constantFaces", ptx.constantFaces},
             {"editedFaces", ptx.editedFaces},
@@ -154,6 +163,15 @@ void addRows(Table& table, const MeshSummary& mesh)
     }
 }
 
+/// ""Lines", multiply, opacity 0.3, hidden"
+std::string settingsText(const LayerSettings& layer)
+{
+    std::ostringstream text;
+    text << '"' << layer.name << "\", " << trixel::nameOf(layer.blend) << ", opacity "
+         << layer.opacity << (layer.isVisible ? "" : ", hidden");
+    return text.str();
+}
+
 void addRows(Table& table, const PtxSummary& ptx)
 {
     const TexelFormat& format = ptx.format;
@@ -164,6 +182,9 @@ void addRows(Table& table, const PtxSummary& ptx)
               std::string(trixel::nameOf(format.type)) + ", " +
                   counted(format.channels, "channel") +
                   (format.alpha ? ", alpha in channel " + std::to_string(*format.alpha) : ""));
+    for (std::size_t k = ptx.layers.size(); k-- > 0;) { // as they lie on each other
+        table.row("layer " + std::to_string(k + 1), settingsText(ptx.layers[k]));
+    }
     table.row("texels", grouped(ptx.texelCount) + " (" + byteSizeText(fullBytes(ptx)) + ")");
     for (std::size_t level = 0; level < ptx.facesOfLevel.size(); ++level) {
         if (ptx.facesOfLevel[level] > 0) {
@@ -177,6 +198,9 @@ void addRows(Table& table, const PtxSummary& ptx)
     table.row("mips", ptx.levelCount > 1 ? "stored" : "not stored");
     table.row("mesh", ptx.carriesMesh ? "in the metadata" : "not in the file");
     for (const PtxSummary::Item& item : ptx.metadata) {
+        if (item.key == kLayersKey) {
+            continue; // told above
+        }
         table.row("metadata",
                   item.key + (item.type == 0 ? ": " + item.text
                                              : ", " + counted(item.count, typeOf(item))));

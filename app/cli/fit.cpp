@@ -4,7 +4,10 @@
 #include "app/cli/output.h"
 #include "app/cli/verb.h"
 #include "core/base/read_file.h"
+#include "core/layers/compose.h"
+#include "core/layers/layer_edits.h"
 #include "core/study/fit/scene_fit.h"
+#include "core/texture/level_change.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -142,6 +145,29 @@ Status checkOutput(const Arguments& arguments)
     return expectEnding(arguments.output, FileKind::Project);
 }
 
+/// The fitted texels, or, of a project with layers, all of these at the fitted levels.
+Status takeLevels(Project& project, const TexelStore& fitted, Progress& progress)
+{
+    if (project.layers.isPlain()) {
+        project.texels = fitted;
+        return {};
+    }
+    StageProgress changing(progress, 0, 0.6);
+    StageProgress composing(progress, 0.6, 1);
+    return withLevels(std::move(project.layers),
+                      project.surface->adjacency(),
+                      levelsOf(fitted),
+                      Threads::all(),
+                      changing)
+        .and_then([&](LayerStack&& layers) {
+            return composed(std::move(layers), Threads::all(), composing);
+        })
+        .map([&](Layered&& layered) {
+            project.texels = std::move(layered.shown);
+            project.layers = std::move(layered.layers);
+        });
+}
+
 Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
 {
     if (const Status output = checkOutput(arguments); !output) {
@@ -170,9 +196,12 @@ Result<Outcome> runFit(const Arguments& arguments, Progress& progress)
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
-    project->texels = fitted->fitted;
     if (!arguments.dryRun) {
-        StageProgress saving(progress, 0.97, 1);
+        StageProgress taking(progress, 0.97, 0.98);
+        if (const Status taken = takeLevels(*project, fitted->fitted, taking); !taken) {
+            return tl::unexpected(taken.error());
+        }
+        StageProgress saving(progress, 0.98, 1);
         if (const Status saved = saveProject(arguments.output, *project, saving); !saved) {
             return tl::unexpected(saved.error());
         }

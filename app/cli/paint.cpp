@@ -55,14 +55,10 @@ Result<Outcome> paint(const Arguments& arguments, Progress& progress)
         return tl::unexpected(strokes.error());
     }
     StageProgress painting(progress, 0.2, 0.8);
+    const std::vector<std::byte> fill = fillOf(*project);
     Layered layered{std::move(project->texels), std::move(project->layers)};
-    const Status painted = replayStrokes(*strokes,
-                                         project->surface,
-                                         fillOf(*project),
-                                         layered,
-                                         *count,
-                                         painting,
-                                         project->creaseAngle);
+    const Status painted = replayStrokes(
+        *strokes, project->surface, fill, layered, *count, painting, project->creaseAngle);
     if (!painted) {
         return tl::unexpected(painted.error());
     }

@@ -2,6 +2,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/file_kind.h"
 #include "app/cli/output.h"
+#include "app/cli/paint_layer.h"
 #include "app/cli/verb.h"
 #include "core/io/channel_colors.h"
 #include "core/resample/transfer_paint.h"
@@ -84,8 +85,12 @@ Result<Outcome> transfer(const Arguments& arguments, Progress& progress)
     std::printf("%s of %s took paint\n",
                 grouped(result->reached).c_str(),
                 counted(result->total, "texel").c_str());
-    to->texels = std::move(result->texels);
-    StageProgress saving(progress, 0.9, 1);
+    StageProgress taking(progress, 0.9, 0.92);
+    if (const Status taken = takePaint(*to, std::move(result->texels), "Transferred paint", taking);
+        !taken) {
+        return prefixed(arguments.to, taken.error());
+    }
+    StageProgress saving(progress, 0.92, 1);
     return saveProject(arguments.output, *to, saving).map([] { return Outcome::Done; });
 }
 

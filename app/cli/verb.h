@@ -24,6 +24,7 @@ using AddVerb = void (*)(CLI::App& parser, Work& chosen);
 void addNew(CLI::App& parser, Work& chosen);
 void addInfo(CLI::App& parser, Work& chosen);
 void addCheck(CLI::App& parser, Work& chosen);
+void addLayers(CLI::App& parser, Work& chosen);
 void addPaint(CLI::App& parser, Work& chosen);
 void addExport(CLI::App& parser, Work& chosen);
 void addConvert(CLI::App& parser, Work& chosen);
