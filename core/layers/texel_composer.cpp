@@ -118,25 +118,6 @@ void putOver(const float* layer, const float* coverage, std::size_t count, float
     }
 }
 
-/// The only type whose values need not survive the way through float and back: NaNs that nothing
-/// made a number of keep their bits.
-void keepNaNs(const FaceTexels& base,
-              std::size_t first,
-              const float* values,
-              std::span<std::uint16_t> shown)
-{
-    const std::size_t channels = base.texelBytes() / sizeof(std::uint16_t);
-    for (std::size_t k = 0; k < shown.size(); ++k) {
-        if (values[k] == values[k]) {
-            continue;
-        }
-        const std::size_t at = base.isConstant() ? k % channels : first * channels + k;
-        const auto before = loadStored<std::uint16_t>(base.bytes().data(), at);
-        const bool wasNaN = (before & 0x7FFFU) > 0x7C00U;
-        shown[k] = wasNaN ? before : shown[k];
-    }
-}
-
 template <TexelType kType>
 void composeChunk(const FaceTexels& base,
                   std::span<const LayerFace> over,
@@ -168,9 +149,6 @@ void composeChunk(const FaceTexels& base,
     const std::size_t size = count * channels;
     for (std::size_t k = 0; k < size; ++k) {
         stored[k] = Codec::encoded(packed[k]);
-    }
-    if constexpr (kType == TexelType::Half) {
-        keepNaNs(base, first, packed.data(), std::span(stored).first(size));
     }
     std::memcpy(shown, stored.data(), size * sizeof(Stored));
 }

@@ -173,20 +173,47 @@ TEST(Compose, fullCoverageStoresTheValueItselfAndNoneLeavesTheBits)
     EXPECT_EQ(shownTexel(single(TexelType::Float, {0.3F}, {0.5F, -1}, {})), std::vector{0.3F});
 }
 
-TEST(Compose, uncoveredNaNsOfHalvesKeepTheirBits)
+TEST(Compose, uncoveredTexelsKeepTheirBitsBesideCoveredOnes)
 {
-    const TexelFormat format = formatOf(TexelType::Half, 1);
-    const std::array signalling{std::byte{0x01}, std::byte{0x7D}};
-    TexelStore base(1, format, Level(1), signalling);
-    base.writable(faceId(0));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    const std::array below{nan, 0.3F, 0.3F, 0.3F};
+    const std::array over{0.1F, 0.0F, nan, 0.0F, inf, 0.0F, 0.5F, 1.0F}; // the last is covered
+    for (const TexelType type : {TexelType::Half, TexelType::Float}) {
+        const TexelFormat format = formatOf(type, 1);
+        TexelStore base(1, format, Level(1), std::vector<std::byte>(byteSize(type)));
+        auto before = encoded(type, below);
+        before[0] |= std::byte{1}; // a NaN of its own
+        base.exchange(faceId(0), FaceTexels::full(Level(1), byteSize(type), before));
+        LayerStack stack(std::move(base));
+        const LayerId id = stack.insert(0, {});
+        stack.texels(id).exchange(
+            faceId(0), FaceTexels::full(Level(1), 2 * byteSize(type), encoded(type, over)));
+        const TexelStore shown = shownOf(stack).shown;
+        for (std::size_t k = 0; k < 3; ++k) {
+            EXPECT_TRUE(std::ranges::equal(shown.face(faceId(0)).texel(k),
+                                           stack.base().face(faceId(0)).texel(k)))
+                << nameOf(type) << ", texel " << k;
+        }
+        EXPECT_EQ(decodedTexel(shown, faceId(0), 3), std::vector{0.5F});
+    }
+}
+
+TEST(Compose, aCoveredTexelHoldsTheValueItselfWhateverLiesBelow)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float inf = std::numeric_limits<float>::infinity();
+    const std::array below{nan, inf, 1e20F, 0.3F};
+    const std::array over{0.1F, 1.0F, 0.1F, 1.0F, 0.1F, 1.0F, 0.2F, 1.0F};
+    TexelStore base(1, formatOf(TexelType::Float, 1), Level(1), std::vector<std::byte>(4));
+    base.exchange(faceId(0), FaceTexels::full(Level(1), 4, encoded(TexelType::Float, below)));
     LayerStack stack(std::move(base));
-    const LayerId id = stack.insert(0, {});
-    // The second of four texels is covered.
-    const auto texel = encoded(TexelType::Half, std::array{0.5F, 1.0F});
-    std::ranges::copy(texel, stack.texels(id).writable(faceId(0)).begin() + 4);
+    stack.texels(stack.insert(0, {}))
+        .exchange(faceId(0), FaceTexels::full(Level(1), 8, encoded(TexelType::Float, over)));
     const TexelStore shown = shownOf(stack).shown;
-    EXPECT_TRUE(std::ranges::equal(shown.face(faceId(0)).texel(0), signalling));
-    EXPECT_EQ(decodedTexel(shown, faceId(0), 1), std::vector{0.5F});
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(decodedTexel(shown, faceId(0), k), std::vector{over[2 * k]});
+    }
 }
 
 TEST(Compose, aStackWithoutLayersBecomesPlain)
