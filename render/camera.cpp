@@ -91,7 +91,7 @@ glm::mat4 Camera::view() const
     return glm::mat4(glm::lookAt(eye(), m_pose.target, up()));
 }
 
-glm::mat4 Camera::projection() const
+Camera::Depths Camera::depths() const
 {
     // Tight planes keep depth precision: overlays lie on the surface by a small bias.
     const double toCentre = glm::dot(m_sceneCentre - eye(), forward());
@@ -99,7 +99,12 @@ glm::mat4 Camera::projection() const
     const double far = std::max(toCentre + reach, m_pose.distance * 1.01);
     // A target beyond the scene, as a given view may have, is no reason to cut what is close.
     const double closest = 0.01 * std::min({m_pose.distance, far, reach});
-    const double near = std::max(toCentre - reach, closest);
+    return {std::max(toCentre - reach, closest), far};
+}
+
+glm::mat4 Camera::projection() const
+{
+    const auto [near, far] = depths();
     const double x = m_viewport.x / (2 * pixelsPerUnit()) * near;
     const double y = m_viewport.y / (2 * pixelsPerUnit()) * near;
     return glm::mat4(glm::frustum(-x, x, -y, y, near, far));

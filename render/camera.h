@@ -55,6 +55,8 @@ public:
     std::optional<glm::dvec2> project(glm::dvec3 point) const;
     /// World length of one device pixel at the depth of a point.
     double worldPerPixel(glm::dvec3 point) const;
+    /// The same at the depth at which drawing begins: nothing is drawn larger.
+    double nearestWorldPerPixel() const { return depths().near / pixelsPerUnit(); }
 
     /// Turns about the target, as if the surface were dragged by so many pixels.
     void orbit(glm::dvec2 pixels);
@@ -71,6 +73,13 @@ public:
 private:
     glm::dvec3 right() const;
     glm::dvec3 up() const;
+    /// From the first that is drawn to the last.
+    struct Depths
+    {
+        double near = 0;
+        double far = 0;
+    };
+    Depths depths() const;
     double pixelsPerUnit() const; ///< device pixels of a length of 1 at distance 1
 
     CameraPose m_pose;

@@ -95,6 +95,7 @@ void FilterMesh::measure(const TriangleMesh& mesh,
         glm::dvec3 normal{0};
     };
     std::vector<Sums> sums(mesh.positions.size());
+    double longest = 0;
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
         const Triangle& triangle = mesh.triangles[f];
         const FaceSize size = limit ? sizeOn(*limit, faceId(f)) : sizeOf(mesh.corners(faceId(f)));
@@ -110,6 +111,7 @@ void FilterMesh::measure(const TriangleMesh& mesh,
             // An edge that two faces share counts once.
             const std::uint32_t across = m_across[3 * f + k];
             const double length = size.lengths[k];
+            longest = std::max(longest, length);
             if ((across == kBorder || across >> 2U > f) && length > 0) {
                 const double log2Length = std::log2(length);
                 for (Sums* end : {&own, &sums[triangle[(k + 1) % 3]]}) {
@@ -119,6 +121,7 @@ void FilterMesh::measure(const TriangleMesh& mesh,
             }
         }
     }
+    m_longestEdge = static_cast<float>(longest);
     m_scales.resize(sums.size());
     for (std::size_t v = 0; v < sums.size(); ++v) {
         const Sums& sum = sums[v];

@@ -45,12 +45,14 @@ public:
     const VertexRings& rings() const { return m_rings; }
     /// One a mesh vertex.
     const std::vector<VertexScale>& scales() const { return m_scales; }
+    float longestEdge() const { return m_longestEdge; } ///< world units
     /// Three a face: neighbour << 2 | edge as it numbers it, or kBorder.
     const std::vector<std::uint32_t>& across() const { return m_across; }
 
 private:
     void measure(const TriangleMesh& mesh, const TexelStore& store, const LimitTessellation* limit);
 
+    float m_longestEdge = 0;
     Adjacency m_adjacency;
     VertexRings m_rings;
     std::vector<VertexScale> m_scales;

@@ -25,7 +25,8 @@ Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
                                                           const QString& fragment,
                                                           const QByteArray& defines,
                                                           const QStringList& pieces,
-                                                          const QByteArray& ofVertex)
+                                                          const QByteArray& ofVertex,
+                                                          const QStringList& vertexPieces)
 {
     auto program = std::make_unique<QOpenGLShaderProgram>();
     const auto add = [&](QOpenGLShader::ShaderType type,
@@ -48,7 +49,7 @@ Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
         }
         return {};
     };
-    if (const Status added = add(QOpenGLShader::Vertex, vertex, ofVertex, {}); !added) {
+    if (const Status added = add(QOpenGLShader::Vertex, vertex, ofVertex, vertexPieces); !added) {
         return tl::unexpected(added.error());
     }
     if (const Status added = add(QOpenGLShader::Fragment, fragment, defines, pieces); !added) {

@@ -17,10 +17,12 @@ namespace trixel::render {
 /// \param defines  lines put after `#version` of the fragment shader
 /// \param pieces   other files that follow the fragment shader's own text
 /// \param ofVertex  lines put after `#version` of the vertex shader
+/// \param vertexPieces  other files that follow the vertex shader's own text
 Result<std::unique_ptr<QOpenGLShaderProgram>> loadProgram(const QString& vertex,
                                                           const QString& fragment,
                                                           const QByteArray& defines = {},
                                                           const QStringList& pieces = {},
-                                                          const QByteArray& ofVertex = {});
+                                                          const QByteArray& ofVertex = {},
+                                                          const QStringList& vertexPieces = {});
 
 } // namespace trixel::render

@@ -25,6 +25,10 @@ constexpr std::size_t kFalseColor = 3;
 constexpr std::size_t kFaceColors = 4;
 constexpr std::size_t kLookShift = 6; // of it in a variant
 
+/// Pixels that the longest edge may be wide for levels to be found a vertex: between the corners of
+/// smaller faces they change as they would from pixel to pixel.
+constexpr double kSmallFace = 8;
+
 constexpr int kProbes = 16; // of a pixel that is filtered anisotropically, at most
 
 std::size_t lookOf(const LookRule& rule)
@@ -74,15 +78,23 @@ bool occurs(std::size_t variant)
            (variant < kLooks || (look < kFaceColors && hasLines == hasGrid));
 }
 
+QString levelsPiece()
+{
+    return QStringLiteral("filter_levels.glsl");
+}
+
 QStringList piecesOf(std::size_t variant)
 {
     switch (static_cast<Filtering>(variant / kLooks)) {
     case Filtering::PackedAtlas:
         return {QStringLiteral("filter_atlas.glsl")};
     case Filtering::Seamless:
-        return {QStringLiteral("filter_vertices.glsl"), QStringLiteral("filter_seamless.glsl")};
+        return {levelsPiece(),
+                QStringLiteral("filter_vertices.glsl"),
+                QStringLiteral("filter_seamless.glsl")};
     case Filtering::Anisotropic:
-        return {QStringLiteral("filter_vertices.glsl"),
+        return {levelsPiece(),
+                QStringLiteral("filter_vertices.glsl"),
                 QStringLiteral("filter_texels.glsl"),
                 QStringLiteral("filter_anisotropic.glsl")};
     case Filtering::Texels:
@@ -92,7 +104,7 @@ QStringList piecesOf(std::size_t variant)
     return {};
 }
 
-QByteArray definesOf(std::size_t variant, bool isLimit)
+QByteArray definesOf(std::size_t variant, bool isLimit, bool hasVertexLevels)
 {
     QByteArray lines;
     std::size_t bit = 1;
@@ -103,7 +115,8 @@ QByteArray definesOf(std::size_t variant, bool isLimit)
     const auto number = [](std::size_t n) { return QByteArray::number(static_cast<int>(n)); };
     return lines + "#define LOOK " + number(variant % kLooks >> kLookShift) +
            "\n#define FILTERING " + number(variant / kLooks) + "\n#define LIMIT " +
-           number(isLimit ? 1 : 0) + "\n";
+           number(isLimit ? 1 : 0) + "\n#define VERTEX_LEVELS " + number(hasVertexLevels ? 1 : 0) +
+           "\n";
 }
 
 std::vector<Rgba> scaleColors()
@@ -126,7 +139,7 @@ QVector3D vectorOf(const Rgba& color)
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 {
     std::unique_ptr<SurfacePass> pass(new SurfacePass(gl));
-    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle(), LookRule()), false);
+    if (const Status made = pass->makeProgram(variantOf(SurfaceStyle(), LookRule()), Drawn::Faces);
         !made) {
         return tl::unexpected(made.error());
     }
@@ -148,13 +161,18 @@ SurfacePass::SurfacePass(Gl& gl)
     m_scale.fill(std::as_bytes(std::span(colors)));
 }
 
-Status SurfacePass::makeProgram(std::size_t variant, bool isLimit)
+Status SurfacePass::makeProgram(std::size_t variant, Drawn drawn)
 {
+    const bool isLimit = drawn == Drawn::Limit;
+    const QByteArray defines = definesOf(variant, isLimit, drawn == Drawn::SmallFaces);
+    const QStringList ofVertex =
+        drawn == Drawn::SmallFaces ? QStringList(levelsPiece()) : QStringList();
     auto made = loadProgram(isLimit ? QStringLiteral("limit.vert") : QStringLiteral("surface.vert"),
                             QStringLiteral("surface.frag"),
-                            definesOf(variant, isLimit),
+                            defines,
                             piecesOf(variant),
-                            definesOf(variant, isLimit));
+                            defines,
+                            ofVertex);
     if (!made) {
         return tl::unexpected(made.error());
     }
@@ -179,7 +197,7 @@ Status SurfacePass::makeProgram(std::size_t variant, bool isLimit)
                                          vectorOf(markColor(Mark::NotANumber))};
     program.setUniformValueArray("markColors", marks.data(), static_cast<int>(marks.size()));
     program.release();
-    m_programs[isLimit ? 1 : 0][variant] = std::move(*made);
+    m_programs[static_cast<std::size_t>(drawn)][variant] = std::move(*made);
     return {};
 }
 
@@ -189,12 +207,17 @@ Status SurfacePass::makeAllPrograms()
         if (!occurs(variant)) {
             continue;
         }
-        if (const Status made = makeProgram(variant, false); !made) {
+        if (const Status made = makeProgram(variant, Drawn::Faces); !made) {
             return made;
+        }
+        if (static_cast<Filtering>(variant / kLooks) == Filtering::Seamless) {
+            if (const Status made = makeProgram(variant, Drawn::SmallFaces); !made) {
+                return made;
+            }
         }
         // Of the limit surface few stand for all: they have the fragments in common.
         if (const bool isOne = variant % kLooks % 8 == 0; isOne) {
-            if (const Status made = makeProgram(variant, true); !made) {
+            if (const Status made = makeProgram(variant, Drawn::Limit); !made) {
                 return made;
             }
         }
@@ -275,6 +298,19 @@ void SurfacePass::setFilter(QOpenGLShaderProgram& program,
     program.setUniformValue("probesAside", kProbes / 2);
 }
 
+SurfacePass::Drawn SurfacePass::drawnOf(const Camera& camera, const SurfaceStyle& style) const
+{
+    if (style.limit && m_limit.shown()) {
+        return Drawn::Limit;
+    }
+    if (style.filtering != Filtering::Seamless || style.faceColors || style.pixelLevels ||
+        !m_filterMesh) {
+        return Drawn::Faces;
+    }
+    const double pixels = m_filterMesh->longestEdge() / camera.nearestWorldPerPixel();
+    return pixels <= kSmallFace ? Drawn::SmallFaces : Drawn::Faces;
+}
+
 void SurfacePass::setLook(QOpenGLShaderProgram& program, const CardLook& look)
 {
     const LookRule& rule = look.rule;
@@ -301,9 +337,10 @@ void SurfacePass::draw(const Camera& camera,
     const bool isPainted = preview != nullptr && preview->isShown();
     const std::size_t variant =
         variantOf(possible, look.rule, isPainted) + kLooks * filteringOf(possible);
-    const bool isLimit = style.limit && m_limit.shown();
-    Program& made = m_programs[isLimit ? 1 : 0][variant];
-    if (!made && !makeProgram(variant, isLimit)) {
+    const Drawn drawn = drawnOf(camera, possible);
+    const bool isLimit = drawn == Drawn::Limit;
+    Program& made = m_programs[static_cast<std::size_t>(drawn)][variant];
+    if (!made && !makeProgram(variant, drawn)) {
         return;
     }
     QOpenGLShaderProgram& program = *made;

@@ -28,9 +28,10 @@ struct SurfaceStyle
     bool lit = true;
     bool wireframe = false;
     bool texelGrid = false;
-    bool hasAlpha = false;   ///< texels lie over a checker
-    bool faceColors = false; ///< each face in its one colour, in place of its texels
-    bool limit = false;      ///< as the limit surface's tessellation, where there is one
+    bool hasAlpha = false;    ///< texels lie over a checker
+    bool faceColors = false;  ///< each face in its one colour, in place of its texels
+    bool limit = false;       ///< as the limit surface's tessellation, where there is one
+    bool pixelLevels = false; ///< levels found a pixel even where faces are small, for tests
     Filtering filtering = Filtering::Texels;
     float levelCut = 0;      ///< by which filtering over vertices shows all coarser than it would
     float pixelRatio = 1.0F; ///< device pixels of one line width
@@ -87,22 +88,29 @@ private:
     using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
     explicit SurfacePass(Gl& gl);
-    Status makeProgram(std::size_t variant, bool isLimit);
+    /// What is drawn of the mesh.
+    enum class Drawn {
+        Faces,      ///< of the cage
+        SmallFaces, ///< the same, none of them more than a few pixels wide
+        Limit,      ///< pieces of its limit surface
+    };
+    Drawn drawnOf(const Camera& camera, const SurfaceStyle& style) const;
+    Status makeProgram(std::size_t variant, Drawn drawn);
     void setFilter(QOpenGLShaderProgram& program, const Camera& camera, const SurfaceStyle& style);
     static void setLook(QOpenGLShaderProgram& program, const CardLook& look);
 
     Gl& m_gl;
-    /// One a way of drawing, made when first used: of the cage, and of its limit surface.
-    std::array<std::array<Program, kVariants>, 2> m_programs;
+    /// One a way of drawing, made when first used, by `Drawn`.
+    std::array<std::array<Program, kVariants>, 3> m_programs;
     LimitBuffers m_limit;
     TextureBuffer m_positions;
     TextureBuffer m_triangles;
     TextureBuffer m_normals;
     TextureBuffer m_faceColors;
     int m_colorsPerFace = 1; ///< or 3
-    TextureBuffer m_scale;  ///< the colours of `mapColor`
-    TextureBuffer m_scales; ///< of `VertexScale`
-    TextureBuffer m_across; ///< sent when it is first needed
+    TextureBuffer m_scale;   ///< the colours of `mapColor`
+    TextureBuffer m_scales;  ///< of `VertexScale`
+    TextureBuffer m_across;  ///< sent when it is first needed
     std::shared_ptr<const FilterMesh> m_filterMesh;
     std::size_t m_vertexCount = 0;
     std::size_t m_faceCount = 0;

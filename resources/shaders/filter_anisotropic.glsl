@@ -99,7 +99,7 @@ vec4 probedTexel(vec3 moves, float pixel2, float texel2)
     float shortest = max(moves.x * moves.y - moves.z * moves.z, 0.0) / longest;
     float major2 = pixel2 * longest + 0.25 * texel2;
     float own2 = max(pixel2 * shortest + 0.25 * texel2, probeThinnest * major2);
-    float level = levelFor(own2, texel2);
+    float level = levelFor(log2Scale, own2, texel2);
     float own = sqrt(own2);
     float support = probeSupport * sqrt(max(major2 - own2, 0.0));
     // Thin footprints bear wider steps: of many probes each matters less.
@@ -180,14 +180,14 @@ vec2 ownTilt()
 
 vec4 filteredTexel()
 {
-    vec3 moves = steps(ownTilt());
-    float pixel2 = pixelVariance();
+    vec3 moves = steps(viewPosition, ownTilt());
+    float pixel2 = pixelVariance(viewPosition);
     float texel2 = exp2(2.0 * log2Scale.y);
     float pixel = 2.0 * sqrt(pixel2);
     float longest = longestOf(moves);
 
     Footprint footprint;
-    footprint.ray = viewPosition.xy / max(-viewPosition.z, 1e-30);
+    footprint.ray = rayTo(viewPosition);
     footprint.moves = moves;
     footprint.area2 = areaOf(moves);
     footprint.texel2 = texel2 / (pixel * pixel);
@@ -195,7 +195,7 @@ vec4 filteredTexel()
     float major2 = longest + footprint.texel2; // four times
     footprint.major = 0.5 * sqrt(major2);
     // Where tilts turn over, by edges, levels are not to switch.
-    vec3 shared = steps(tilt);
+    vec3 shared = steps(viewPosition, tilt);
     footprint.lattice2 = areaOf(shared) / longestOf(shared) + footprint.texel2;
     float thinness = sqrt(major2 / footprint.minor2);
     // Of equilateral faces whose middles the ellipse holds, and those that it cuts.

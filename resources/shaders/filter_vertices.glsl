@@ -43,37 +43,3 @@ vec4 blockValue(uvec2 block, vec2 at, float level)
     }
     return value;
 }
-
-// What a pixel averages, in view space. Everything in it is the same on both sides of an edge: it
-// comes from the point and from what is interpolated between mesh vertices. A face's own plane
-// would give each side of an edge another footprint, and so another level.
-//
-// With the ray (x, y, -1) to the point, a step of a pixel to the right moves the point by
-// (1,0,0) - tilt.x ray, a step upwards by (0,1,0) - tilt.y ray, both by depth and size of a pixel.
-// The products of these two, by the tilt of the surface:
-vec3 steps(vec2 tilt)
-{
-    vec2 ray = viewPosition.xy / max(-viewPosition.z, 1e-30);
-    float size = dot(ray, ray) + 1.0;
-    return vec3(1.0 + tilt.x * (tilt.x * size - 2.0 * ray.x),
-                1.0 + tilt.y * (tilt.y * size - 2.0 * ray.y),
-                tilt.x * tilt.y * size - tilt.y * ray.x - tilt.x * ray.y);
-}
-
-// Of a pixel's quarter, as variances are.
-float pixelVariance()
-{
-    float pixel = viewPosition.z * unitsPerPixel;
-    return 0.25 * pixel * pixel;
-}
-
-uniform float levelCut; // by which all is shown coarser than a pixel, where it does not fit the card
-
-// The level at which interpolation averages with a variance. A vertex's hexagon and the slopes about
-// it have 0.2917 of a texel's edge squared more than the texel, whose own is 1/24; base texels count
-// as points.
-float levelFor(float variance, float texel2)
-{
-    float edge2 = (variance + texel2 / 24.0) / (1.0 / 24.0 + 0.2917);
-    return log2Scale.x - 0.5 * log2(edge2) - levelCut;
-}

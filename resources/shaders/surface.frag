@@ -5,6 +5,7 @@
 // each way of drawing, because a processor that draws runs both sides of every branch.
 // LOOK is 0 for values as they are, 1 for colours in a range, 2 for a number as grey, 3 for a number
 // in false colour: what render/look.cpp does on the processor; and 4 for a colour a face.
+// VERTEX_LEVELS is 1 where the level of a filtered pixel was found at the corners of its face.
 // LIMIT is 1 where pieces of the limit surface are drawn in place of whole faces.
 // FILTERING is the number of `Filtering` in render/filtering.h. From 2 on a piece that follows has
 // `filteredTexel`.
@@ -31,8 +32,9 @@ in vec3 viewPosition;
 in vec3 viewNormal;
 flat in uvec2 record;
 flat in int faceNumber;
-#if FILTERING >= 3
-uniform float unitsPerPixel; // world length of a device pixel at distance 1
+#if VERTEX_LEVELS == 1
+in float level;
+#elif FILTERING >= 3
 in vec2 log2Scale; // of the length of edges, and of texels, about here
 in vec2 tilt;
 #endif

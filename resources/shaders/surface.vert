@@ -17,8 +17,13 @@ flat out uvec2 record;
 flat out int faceNumber;
 #if FILTERING >= 3
 uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_mesh.h
+#if VERTEX_LEVELS == 1
+out float level;
+float seamlessLevel(vec3 point, vec2 tilt, vec2 scale); // filter_levels.glsl
+#else
 out vec2 log2Scale;
 out vec2 tilt;
+#endif
 #endif
 
 vec3 unpackNormal(uint bits)
@@ -48,7 +53,6 @@ void main()
     }
 #if FILTERING >= 3
     uvec4 scale = texelFetch(scales, int(vertex));
-    log2Scale = uintBitsToFloat(scale.xy);
     // How the surface falls away to the right and upwards: the normal over its part along the ray
     // to the point. On a plane that is linear, so that what is interpolated is right even where a
     // corner lies behind the eye.
@@ -58,7 +62,13 @@ void main()
     float along = dot(turned, position.xyz);
     float least = 0.04 * length(position.xyz) + 1e-20;
     along = along < 0.0 ? min(along, -least) : max(along, least);
-    tilt = turned.xy * (-position.z * flatness / along);
+    vec2 fall = turned.xy * (-position.z * flatness / along);
+#if VERTEX_LEVELS == 1
+    level = seamlessLevel(position.xyz, fall, uintBitsToFloat(scale.xy));
+#else
+    log2Scale = uintBitsToFloat(scale.xy);
+    tilt = fall;
+#endif
 #endif
     gl_Position = projection * position;
 }

@@ -298,6 +298,42 @@ private slots:
                 rms[static_cast<std::size_t>(Filtering::LowerHalf)]);
     }
 
+    /// What is interpolated between the corners of faces of a few pixels is what each pixel would
+    /// find, to where their tilts differ most: by the contour.
+    void levelsOfSmallFacesAreThoseOfTheirPixels()
+    {
+        Shown shown;
+        shown.surface = surfaceOf(torusMesh(200, 120));
+        const TriangleMesh& mesh = shown.surface->mesh();
+        shown.store = noiseStore(mixedLevels(mesh.faceCount(), 1, 3, 7), 3);
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        prepareFilterings(*renderer, shown.store);
+        const FilterMesh sizes(mesh, shown.surface->adjacency(), shown.store);
+        for (const CameraPose pose : {CameraPose{{}, 1.0, 0.4, 0.75},
+                                      CameraPose{{}, 1.0, 2.0, 0.1},
+                                      CameraPose{{}, 0.85, 1.0, 0.4}}) {
+            Scene scene = sceneOf(*shown.surface, kSide, pose);
+            QVERIFY(sizes.longestEdge() <= 8 * scene.camera.nearestWorldPerPixel());
+            scene.surface.filtering = Filtering::Seamless;
+            const DrawnPicture small = drawNumbers(*m_gl, *renderer, scene);
+            scene.surface.pixelLevels = true;
+            const DrawnPicture pixels = drawNumbers(*m_gl, *renderer, scene);
+            double sum = 0;
+            double worst = 0;
+            for (std::size_t k = 0; k < small.values.size(); ++k) {
+                const double off = std::abs(double{small.values[k]} - double{pixels.values[k]});
+                sum += off * off;
+                worst = std::max(worst, off);
+            }
+            sum = std::sqrt(sum / static_cast<double>(small.values.size()));
+            qInfo() << sizes.longestEdge() / scene.camera.nearestWorldPerPixel() << "pixels, off by"
+                    << 255 * sum << "of 255, at most" << 255 * worst;
+            QVERIFY(worst > 0);
+            QVERIFY(255 * sum <= 0.2);
+            QVERIFY(255 * worst <= 25);
+        }
+    }
+
     /// What a stroke changes is sent alone, and shows as if all had been sent.
     void strokesShowInEveryWay()
     {
