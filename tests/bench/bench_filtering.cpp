@@ -8,6 +8,7 @@
 
 #include "render/filtering_study.h"
 #include "render/matrices.h"
+#include "render/residency.h"
 #include "tests/bench/sheet_mesh.h"
 #include "tests/render/offscreen.h"
 
@@ -25,6 +26,16 @@ namespace {
 constexpr int kWidth = 1280;
 constexpr int kHeight = 800;
 constexpr int kLevel = 3; // 64 texels a face
+
+Scene scene()
+{
+    Scene result;
+    result.camera.setViewport(kWidth, kHeight);
+    result.camera.setScene({-1, -1, -0.2F}, {1, 1, 0.2F});
+    result.camera.frame({-1, -1, -0.2F}, {1, 1, 0.2F});
+    result.surface.lit = false;
+    return result;
+}
 
 /// A sheet of 2 n² painted faces.
 struct Painted
@@ -55,16 +66,6 @@ const Painted& painted(int n)
             sheet.mesh, buildAdjacency(sheet.mesh.triangles), sheet.store);
     }
     return sheet;
-}
-
-Scene scene()
-{
-    Scene result;
-    result.camera.setViewport(kWidth, kHeight);
-    result.camera.setScene({-1, -1, -0.2F}, {1, 1, 0.2F});
-    result.camera.frame({-1, -1, -0.2F}, {1, 1, 0.2F});
-    result.surface.lit = false;
-    return result;
 }
 
 /// Three positions and colours a face, from one buffer.
@@ -137,6 +138,56 @@ void drawFiltered(benchmark::State& state, Filtering filtering, bool lit)
     }
 }
 
+/// Has on the card what a view needs, as the window does.
+template <class Send>
+void stream(DisplayBlocks& blocks, const Painted& sheet, const Camera& camera, Send send)
+{
+    const auto sendAll = [&] {
+        while (blocks.hasReady() || blocks.isOpening()) {
+            send();
+        }
+    };
+    blocks.open(blocks.opener()(sheet.store));
+    sendAll();
+    const FaceExtents extents = FaceExtents::of(sheet.mesh, Threads::all());
+    std::vector<Wish> wishes(extents.size());
+    wishesOf(extents, camera, Threads::all(), wishes);
+    blocks.follow(planResidency(wishes, blocks.facesOnCard(), blocks.mostRoom()));
+    while (blocks.hasJobs(false)) {
+        const JobBatch batch = blocks.nextJobs(std::size_t{1} << 20U, false);
+        blocks.accept(blocks.maker()(sheet.store, batch.jobs), batch, sheet.store);
+        sendAll();
+    }
+}
+
+/// What the window shows: levels by the view.
+void drawStreamed(benchmark::State& state, Filtering filtering)
+{
+    Offscreen offscreen(kWidth, kHeight);
+    const auto renderer = std::move(*Renderer::create());
+    const Painted& sheet = painted(static_cast<int>(state.range(0)));
+    (void)renderer->setMesh(sheet.mesh);
+    renderer->setTexels(sheet.store, 0);
+    renderer->setFilterMesh(sheet.filterMesh);
+    renderer->wantFilterings(std::span(&filtering, 1));
+    Scene shown = scene();
+    shown.surface.filtering = filtering;
+    constexpr std::size_t kMost = std::size_t{1} << 24U;
+    stream(renderer->display(Side::A), sheet, shown.camera, [&] {
+        renderer->sendReady(sheet.store, kMost, Side::A);
+    });
+    if (sourceOf(filtering) == FilterSource::Vertices) {
+        stream(*renderer->vertices(sheet.store, Side::A), sheet, shown.camera, [&] {
+            renderer->sendReadyVertices(sheet.store, kMost, Side::A);
+        });
+    }
+    check(renderer->isFilterReady(filtering), "something of every face");
+    for (auto _ : state) {
+        offscreen.drawOnly(*renderer, shown);
+    }
+    state.counters["MiB"] = static_cast<double>(renderer->figures().residentBytes) / (1U << 20U);
+}
+
 void texels(benchmark::State& state)
 {
     drawFiltered(state, Filtering::Texels, false);
@@ -157,6 +208,14 @@ void anisotropic(benchmark::State& state)
 {
     drawFiltered(state, Filtering::Anisotropic, false);
 }
+void seamlessInView(benchmark::State& state)
+{
+    drawStreamed(state, Filtering::Seamless);
+}
+void texelsInView(benchmark::State& state)
+{
+    drawStreamed(state, Filtering::Texels);
+}
 void seamlessLit(benchmark::State& state)
 {
     drawFiltered(state, Filtering::Seamless, true);
@@ -171,6 +230,8 @@ void sizes(benchmark::internal::Benchmark* bench)
 
 BENCHMARK(plainVertexColours)->Apply(sizes);
 BENCHMARK(seamless)->Apply(sizes);
+BENCHMARK(seamlessInView)->Apply(sizes);
+BENCHMARK(texelsInView)->Apply(sizes);
 BENCHMARK(seamlessLit)->Apply(sizes);
 BENCHMARK(texels)->Apply(sizes);
 BENCHMARK(lowerHalf)->Apply(sizes);
