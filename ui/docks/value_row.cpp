@@ -104,6 +104,7 @@ ValueRow::ValueRow(Scale scale, double low, double high, const Texts& texts, QWi
     setFocusProxy(m_spin);
     setRange(low, high);
 
+    connect(m_slider, &QSlider::sliderPressed, this, &ValueRow::grabbed);
     connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
         const QSignalBlocker quiet(m_spin);
         m_spin->setValue(fromSlider(position));
@@ -129,6 +130,17 @@ void ValueRow::setValue(double value)
     const QSignalBlocker quietSlider(m_slider);
     m_spin->setValue(value);
     m_slider->setValue(toSlider(m_spin->value()));
+}
+
+void ValueRow::setHint(const QString& toolTip)
+{
+    m_slider->setToolTip(toolTip);
+    m_spin->setToolTip(toolTip);
+}
+
+bool ValueRow::isDragged() const
+{
+    return m_slider->isSliderDown();
 }
 
 int ValueRow::toSlider(double value) const

@@ -53,12 +53,18 @@ public:
     double value() const { return m_spin->value(); }
     /// Brought into the range; tells nobody.
     void setValue(double value);
+    /// Another tool tip than it was made with.
+    void setHint(const QString& toolTip);
+    /// Whether the user holds the slider.
+    bool isDragged() const;
     /// The widget a label's mnemonic leads to.
     QWidget* buddy() const { return m_spin; }
 
 signals:
     /// By the user's hand.
     void edited(double value);
+    /// The user takes the slider: all edits until it is let go belong together.
+    void grabbed();
 
 private:
     int toSlider(double value) const;

@@ -17,6 +17,7 @@
 
 #include "ui/docks/seam_panel.h"
 #include "ui/exchange/exchange_actions.h"
+#include "ui/layers/layer_actions.h"
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/actions.h"
@@ -208,6 +209,7 @@ void MainWindow::makeMenus()
     m_inspectActions->fillEditMenu(*edit);
     m_toolActions->fillMenu(*menuBar()->addMenu(tr("&Tool")));
     m_brushActions->fillMenu(*menuBar()->addMenu(tr("&Brush")));
+    m_panels->layerActions().fillMenu(*menuBar()->addMenu(tr("La&yer")));
     QMenu* view = menuBar()->addMenu(tr("&View"));
     m_viewActions->fillMenu(*view);
     m_cardActions->fillMenu(*view);
@@ -281,6 +283,7 @@ void MainWindow::makeStatusBar()
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     statusBar()->addWidget(m_hint, 1);
     statusBar()->addPermanentWidget(new JobBar(m_jobs));
+    statusBar()->addPermanentWidget(m_panels->layerActions().makeLabel());
     statusBar()->addPermanentWidget(m_selectionActions->makeLabel());
     statusBar()->addPermanentWidget(new StatusLine(m_document));
     const auto showHint = [this] { m_hint->setText(ToolActions::hintFor(m_settings.tool())); };

@@ -16,6 +16,9 @@
 #include "ui/document/document.h"
 #include "ui/document/face_selection.h"
 #include "ui/document/inspection.h"
+#include "ui/layers/layer_actions.h"
+#include "ui/layers/layer_commands.h"
+#include "ui/layers/layer_panel.h"
 #include "ui/viewport/hover_filter.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/bookmark_actions.h"
@@ -38,6 +41,7 @@ WorkPanels::WorkPanels(const Workspace& work, const PanelFrames& frames, QObject
     m_frames.beside("brushPanel", tr("Brush"), m_brush, {Qt::Key_F2});
     makeReadout();
     QDockWidget* first = m_shared;
+    makeLayers();
     makeMesh();
     makeHistory();
     makeSeams();
@@ -92,6 +96,26 @@ void WorkPanels::makeReadout()
     connect(&m_work.viewport, &Viewport::inspectedRead, m_readout, showLeft);
     connect(m_hoverFilter, &HoverFilter::answered, m_readout, &ReadoutPanel::showFiltered);
     connect(m_hoverFilter, &HoverFilter::unanswered, m_readout, &ReadoutPanel::showUnfiltered);
+}
+
+void WorkPanels::makeLayers()
+{
+    auto* commands = new LayerCommands(m_work.document, m_work.jobs, this);
+    m_layerActions = new LayerActions(m_work.document, *commands, m_work.window);
+    auto* panel = new LayerPanel(m_work.document, *commands, *m_layerActions);
+    QDockWidget* dock = m_frames.beside("layerPanel", tr("Layers"), panel, {Qt::Key_F11});
+    share(*dock);
+    connect(commands, &LayerCommands::renameWanted, panel, [panel, dock] {
+        dock->show();
+        dock->raise();
+        panel->editName();
+    });
+    connect(commands, &LayerCommands::failed, &m_work.messages, &MessageBar::showError);
+    connect(commands, &LayerCommands::done, this, [this](const QString& sentence) {
+        m_work.messages.showMessage(MessageBar::Kind::Note,
+                                    sentence,
+                                    {tr("&Undo"), [this] { m_work.document.undoStack().undo(); }});
+    });
 }
 
 void WorkPanels::makeMesh()

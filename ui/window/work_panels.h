@@ -14,12 +14,13 @@ class BookmarkActions;
 class BrushPanel;
 class FitPanel;
 class HoverFilter;
+class LayerActions;
 class ReadoutPanel;
 class ReportPanel;
 class SeamPanel;
 class ViewsPanel;
 
-/// The panels beside the view: brush, texel, mesh, history, seams, views and fit.
+/// The panels beside the view: brush, texel, layers, mesh, history, seams, views and fit.
 class WorkPanels : public QObject
 {
     Q_OBJECT
@@ -31,6 +32,7 @@ public:
     ReadoutPanel& readout() { return *m_readout; }
     SeamPanel& seams() { return *m_seams; }
     BookmarkActions& bookmarkActions() { return *m_bookmarkActions; }
+    LayerActions& layerActions() { return *m_layerActions; }
 
     /// Opens the panel of fits with nothing planned yet.
     void showFit();
@@ -38,6 +40,7 @@ public:
 private:
     void share(QDockWidget& dock);
     void makeReadout();
+    void makeLayers();
     void makeMesh();
     void makeHistory();
     void makeSeams();
@@ -57,6 +60,7 @@ private:
     QDockWidget* m_fitDock = nullptr;
     QDockWidget* m_shared = nullptr; ///< newest of the docks that share one place
     BookmarkActions* m_bookmarkActions = nullptr;
+    LayerActions* m_layerActions = nullptr;
 };
 
 } // namespace trixel::ui
