@@ -202,7 +202,7 @@ Status Stops::askForExport(const std::string& file, const std::string& pictureNa
     if (Status estimated = expect(said, "the dialog says what the export takes"); !estimated) {
         return estimated;
     }
-    return pictureOf(*dialog, pictureName);
+    return pictureName.empty() ? Status() : pictureOf(*dialog, pictureName);
 }
 
 /// Out as an atlas; the dialog for meshes is only looked at.

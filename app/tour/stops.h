@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "ui/window/main_window.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -16,7 +17,8 @@ class QComboBox;
 namespace trixel::ui {
 class ImportPanel;
 class ChartPanel;
-}
+class LayerList;
+} // namespace trixel::ui
 
 namespace trixel::app {
 
@@ -37,6 +39,7 @@ public:
     Status laidOutFace();
     Status faceMips();
     Status chosenLevels();
+    Status paintedLayers();
     Status fittedLevels();
     Status importedImage();
     Status newProject();
@@ -68,9 +71,13 @@ private:
     Status press(QWidget& panel, const QString& name);
     /// Runs the study that is chosen, to its end where that comes soon.
     Status runStudy(ui::ChartPanel& panel);
+    Status bandOnLayer(const std::array<float, 4>& color, double height, int layers);
+    Status hiddenLayer(ui::LayerList& list);
+    Status exportedLayer();
     Status lowLevels();
     Status chosenCreases();
-    /// Opens the dialog and asks for a file of that name; pictures it once its size is said.
+    /// Opens the dialog and asks for a file of that name; pictures it once its size is said, unless
+    /// the picture has no name.
     Status askForExport(const std::string& file, const std::string& pictureName);
     Status copiedPicture();
     Status distortedImage(ui::ImportPanel& panel, QComboBox& kinds);

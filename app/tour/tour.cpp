@@ -49,13 +49,13 @@ Status visit(ui::MainWindow& window, const std::filesystem::path& folder)
          {&Stops::wholeScene,      &Stops::hoveredTexel,    &Stops::heldTexel,
           &Stops::paintedStroke,   &Stops::undoneAndRedone, &Stops::texelsOfBothHalves,
           &Stops::faceMips,        &Stops::mipLevels,       &Stops::laidOutFace,
-          &Stops::chosenLevels,    &Stops::fittedLevels,    &Stops::importedImage,
-          &Stops::bookmarkedViews, &Stops::conditionMap,    &Stops::errorMap,
-          &Stops::falseColours,    &Stops::comparedFilters, &Stops::seamlessTexels,
-          &Stops::limitSurface,    &Stops::footprint,       &Stops::seamMeter,
-          &Stops::faceTable,       &Stops::newProject,      &Stops::exportedTexture,
-          &Stops::exportedAtlas,   &Stops::measuredChart,   &Stops::viewOnTheChart,
-          &Stops::sweptHazards}) {
+          &Stops::chosenLevels,    &Stops::paintedLayers,   &Stops::fittedLevels,
+          &Stops::importedImage,   &Stops::bookmarkedViews, &Stops::conditionMap,
+          &Stops::errorMap,        &Stops::falseColours,    &Stops::comparedFilters,
+          &Stops::seamlessTexels,  &Stops::limitSurface,    &Stops::footprint,
+          &Stops::seamMeter,       &Stops::faceTable,       &Stops::newProject,
+          &Stops::exportedTexture, &Stops::exportedAtlas,   &Stops::measuredChart,
+          &Stops::viewOnTheChart,  &Stops::sweptHazards}) {
         if (Status done = (stops.*stop)(); !done) {
             return done;
         }

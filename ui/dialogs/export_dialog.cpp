@@ -9,6 +9,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -21,6 +22,7 @@
 #include "ui/dialogs/uv_page.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace trixel::ui {
@@ -106,6 +108,7 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* pa
     , m_kind(new QComboBox)
     , m_pages(new QStackedWidget)
     , m_selected(new QCheckBox)
+    , m_layer(new QComboBox)
     , m_channel(new QComboBox)
     , m_size(new QLabel)
     , m_note(new QLabel)
@@ -120,12 +123,17 @@ ExportDialog::ExportDialog(ExportSource source, const QString& path, QWidget* pa
     form->addRow(tr("&Kind"), m_kind);
     form->addRow(m_pages);
     form->addRow(tr("Fa&ces"), m_selected);
+    if (!m_source.project.layers.isPlain()) {
+        form->addRow(tr("&Layer"), m_layer);
+    }
     form->addRow(tr("Cha&nnels"), m_channel);
     form->addRow(tr("Size"), m_size);
     layout->addWidget(m_note);
     layout->addStretch(1);
     addPages();
     addPart();
+    addLayers();
+    listChannels();
     alignLabels();
 
     m_size->setAccessibleName(tr("Size estimate"));
@@ -197,13 +205,44 @@ void ExportDialog::addPart()
     m_selected->setEnabled(selected > 0);
     m_selected->setAccessibleName(tr("Only selected faces"));
     m_selected->setToolTip(tr("Leaves other faces out, mesh and texels"));
-    const TexelFormat& format = m_source.project.texels.format();
+    m_channel->setAccessibleName(tr("Channels"));
+    m_channel->setToolTip(tr("All channels or one alone"));
+}
+
+/// In the order in which they lie, the topmost first.
+void ExportDialog::addLayers()
+{
+    m_layer->setParent(this); // where no row holds it
+    m_layer->setHidden(m_source.project.layers.isPlain());
+    m_layer->addItem(tr("All together, as shown"));
+    for (const Layer& one : std::views::reverse(m_source.project.layers.layers())) {
+        m_layer->addItem(QString::fromStdString(one.settings.name), static_cast<quint32>(one.id));
+    }
+    m_layer->addItem(tr("Base"), static_cast<quint32>(kBaseLayer));
+    m_layer->setAccessibleName(tr("Layer"));
+    m_layer->setToolTip(tr("All layers as they look together, or one alone, shown or not: what it "
+                           "covers becomes its opacity, as one channel more"));
+}
+
+std::optional<LayerId> ExportDialog::layer() const
+{
+    const QVariant chosen = m_layer->currentData();
+    return chosen.isValid() ? std::optional(LayerId{chosen.toUInt()}) : std::nullopt;
+}
+
+void ExportDialog::listChannels()
+{
+    const QSignalBlocker quiet(m_channel);
+    const QVariant before = m_channel->currentData();
+    const std::optional<LayerId> alone = layer();
+    const TexelFormat& base = m_source.project.texels.format();
+    const TexelFormat format = alone && *alone != kBaseLayer ? layerFormat(base) : base;
+    m_channel->clear();
     m_channel->addItem(tr("All %1").arg(format.channels), -1);
     for (std::uint16_t k = 0; k < format.channels; ++k) {
         m_channel->addItem(channelName(k, format), k);
     }
-    m_channel->setAccessibleName(tr("Channels"));
-    m_channel->setToolTip(tr("All channels or one alone"));
+    m_channel->setCurrentIndex(std::max(0, m_channel->findData(before)));
 }
 
 void ExportDialog::connectAll()
@@ -215,6 +254,10 @@ void ExportDialog::connectAll()
     });
     connect(m_path, &PathRow::pathChanged, this, &ExportDialog::followPath);
     connect(m_selected, &QCheckBox::toggled, this, &ExportDialog::estimate);
+    connect(m_layer, &QComboBox::currentIndexChanged, this, [this] {
+        listChannels();
+        estimate();
+    });
     connect(m_channel, &QComboBox::currentIndexChanged, this, &ExportDialog::estimate);
 }
 
@@ -226,6 +269,9 @@ void ExportDialog::begin(const QString& path)
         const ExportRequest& latest = *m_source.latest;
         for (int k = 0; k < m_pages->count(); ++k) {
             pageAt(k).setOptions(latest.options);
+        }
+        if (const auto alone = latest.part.layer; alone && m_source.project.layers.has(*alone)) {
+            m_layer->setCurrentIndex(m_layer->findData(static_cast<quint32>(*alone)));
         }
     }
     m_isFilling = false;
@@ -311,6 +357,7 @@ ExportRequest ExportDialog::request() const
     if (const int channel = m_channel->currentData().toInt(); channel >= 0) {
         request.part.channels = {static_cast<std::uint16_t>(channel)};
     }
+    request.part.layer = layer();
     return request;
 }
 

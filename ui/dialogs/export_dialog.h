@@ -7,6 +7,7 @@
 #include "ui/document/background_job.h"
 
 #include <array>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -44,6 +45,10 @@ signals:
 private:
     void addPages();
     void addPart();
+    void addLayers();
+    /// Those of the chosen layer, or of all together.
+    void listChannels();
+    std::optional<LayerId> layer() const;
     void connectAll();
     void begin(const QString& path);
     ExportPage& page() const;
@@ -72,6 +77,7 @@ private:
     QComboBox* m_kind;
     QStackedWidget* m_pages;
     QCheckBox* m_selected;
+    QComboBox* m_layer; ///< none offered where there are none
     QComboBox* m_channel;
     QLabel* m_size;
     QLabel* m_note;

@@ -173,8 +173,8 @@ void LayerPanel::showNote()
     if (!m_document.isOpen()) {
         note = tr("No mesh is open.");
     } else if (layers.isPlain()) {
-        note = tr("Strokes change the base. A layer (Ctrl+Shift+N) takes them over it and can be "
-                  "hidden, blended and erased again.");
+        note = tr("Strokes change the base. Add a layer (Ctrl+Shift+N) to paint over it and leave "
+                  "it as it is.");
     } else {
         note = whyUnseen(layers, active);
     }

@@ -43,6 +43,28 @@ void paintNoise(TexelStore& texels)
     }
 }
 
+/// The grid under "Moss", noise all over, and "Rust", which covers nothing.
+Project layeredProject()
+{
+    Project project = gridProject();
+    project.layers = LayerStack(project.texels);
+    LayerSettings settings;
+    settings.name = "Moss";
+    const LayerId moss = project.layers.insert(0, settings);
+    paintNoise(project.layers.texels(moss));
+    settings.name = "Rust";
+    project.layers.insert(1, settings);
+    return project;
+}
+
+/// What Export asks for.
+ExportRequest handedOver(ExportDialog& dialog)
+{
+    QSignalSpy wanted(&dialog, &ExportDialog::exportWanted);
+    QTest::mouseClick(named<QPushButton>(dialog, "Export"), Qt::LeftButton);
+    return wanted.isEmpty() ? ExportRequest() : wanted.at(0).at(0).value<ExportRequest>();
+}
+
 } // namespace
 
 class DialogsTest : public QObject
@@ -201,6 +223,60 @@ private slots:
         const auto request = wanted.at(0).at(0).value<ExportRequest>();
         QCOMPARE(request.part.faces.size(), std::size_t{2});
         QCOMPARE(request.part.channels, std::vector<std::uint16_t>{1});
+    }
+
+    void layersAreOfferedWhereThereAreSome()
+    {
+        ExportDialog plain({gridProject(), {}, {}}, m_folder.filePath("a.ptx"));
+        plain.show();
+        QVERIFY(!named<QComboBox>(plain, "Layer")->isVisible());
+        QVERIFY(!handedOver(plain).part.layer);
+
+        ExportDialog dialog({layeredProject(), {}, {}}, m_folder.filePath("a.ptx"));
+        dialog.show();
+        auto* layer = named<QComboBox>(dialog, "Layer");
+        QVERIFY(layer->isVisible());
+        QCOMPARE(layer->count(), 4);
+        QCOMPARE(layer->itemText(1), QString("Rust")); // lies above the other
+        QCOMPARE(layer->itemText(2), QString("Moss"));
+        QCOMPARE(layer->itemText(3), QString("Base"));
+        QVERIFY(!handedOver(dialog).part.layer);
+    }
+
+    void aLayerAloneHasAChannelMoreAndItsSizeIsSaid()
+    {
+        ExportDialog dialog({layeredProject(), {}, {}}, m_folder.filePath("a.ptx"));
+        dialog.show();
+        auto* size = named<QLabel>(dialog, "Size estimate");
+        auto* layer = named<QComboBox>(dialog, "Layer");
+        auto* channels = named<QComboBox>(dialog, "Channels");
+        named<QCheckBox>(dialog, "Store reduced levels")->setChecked(false);
+        QCOMPARE(channels->itemText(0), QString("All 3"));
+        layer->setFocus();
+        QTest::keyClick(layer, Qt::Key_Down);
+        QTest::keyClick(layer, Qt::Key_Down);
+        QCOMPARE(layer->currentText(), QString("Moss"));
+        QCOMPARE(channels->itemText(0), QString("All 4"));
+        QVERIFY(channels->itemText(4).contains("opacity"));
+        // Of the noise all texels are written, with their coverage.
+        const std::uint64_t full = 128 * 64 * 4;
+        QTRY_VERIFY2(size->text().contains(sizeText(full)), qPrintable(size->text()));
+        channels->setCurrentIndex(4);
+        const ExportRequest request = handedOver(dialog);
+        QVERIFY(request.part.layer == LayerId{1});
+        QCOMPARE(request.part.channels, std::vector<std::uint16_t>{3});
+    }
+
+    void theLayerOfTheLatestExportIsChosenAgain()
+    {
+        const Project project = layeredProject();
+        ExportRequest latest;
+        latest.part.layer = LayerId{2};
+        ExportDialog dialog({project, {}, latest}, m_folder.filePath("a.ptx"));
+        QCOMPARE(named<QComboBox>(dialog, "Layer")->currentText(), QString("Rust"));
+        latest.part.layer = LayerId{9}; // gone meanwhile
+        ExportDialog other({project, {}, latest}, m_folder.filePath("a.ptx"));
+        QCOMPARE(named<QComboBox>(other, "Layer")->currentIndex(), 0);
     }
 
     void whatAFormatCannotHoldIsSaidAndNotExported()
