@@ -4,6 +4,7 @@
 #include <QtConcurrent>
 
 #include "ui/document/layer_paint.h"
+#include "ui/document/released_elsewhere.h"
 
 #include <algorithm>
 #include <atomic>
@@ -100,7 +101,7 @@ void LayerComposer::start(LayerStack next, const Layered& now)
 
 void LayerComposer::begin()
 {
-    m_work = std::make_shared<Work>();
+    m_work = releasedElsewhere(std::make_unique<Work>());
     m_work->next = *std::exchange(m_wanted, {});
     m_work->before = m_now;
     m_watcher = std::make_unique<QFutureWatcher<void>>();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/swap_layers.h"
 
+#include "ui/document/layer_paint.h"
+#include "ui/document/released_elsewhere.h"
+
 #include <utility>
 
 namespace trixel::ui {
@@ -15,19 +18,26 @@ SwapLayers::SwapLayers(
     Document& document, LayersState next, Kind kind, StateId state, const QString& text)
     : DocumentStep(state, text)
     , m_document(document)
-    , m_other(std::move(next))
+    , m_other(releasedElsewhere(std::make_unique<LayersState>(std::move(next))))
     , m_kind(kind)
 {
+    QObject::connect(&document, &Document::heldTexelsReleased, &m_watch, [this] {
+        if (m_other->shown) {
+            releaseHeld(m_other->layers, *m_other->shown);
+        } else {
+            m_other->layers.texels(kBaseLayer).releaseHeld();
+        }
+    });
 }
 
 void SwapLayers::undo()
 {
-    m_document.swapLayers(m_other, m_kind.changesLevels);
+    m_document.swapLayers(*m_other, m_kind.changesLevels);
 }
 
 void SwapLayers::redo()
 {
-    m_document.swapLayers(m_other, m_kind.changesLevels);
+    m_document.swapLayers(*m_other, m_kind.changesLevels);
 }
 
 int SwapLayers::id() const

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
+
 #include "core/layers/layer_stack.h"
 #include "core/texture/texel_store.h"
 #include "ui/document/document_step.h"
 
+#include <memory>
 #include <optional>
 
 namespace trixel::ui {
@@ -41,8 +44,9 @@ public:
 
 private:
     Document& m_document;
-    LayersState m_other; ///< that the document does not have
+    std::shared_ptr<LayersState> m_other; ///< that the document does not have
     Kind m_kind;
+    QObject m_watch; ///< hears of what is to be released with the document's
 };
 
 } // namespace trixel::ui

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/io/ptx_reader.h"
-#include "tests/ui/fixtures.h"
+#include "tests/ui/document/layered_fixture.h"
 #include "ui/document/document.h"
 #include "ui/document/stored_faces_watch.h"
 
@@ -74,6 +74,33 @@ private slots:
         QVERIFY(!sentence.contains(m_folder->path()));
         QVERIFY(m_document->texels().face(faceId(8)).pinned().isDamaged());
         QTRY_COMPARE(notices.count(), 2); // by the timer
+    }
+
+    void aLayerLeavesTheBaseInTheFileButUnderPaint()
+    {
+        open({.wholeBytes = 0, .cacheBytes = 4 * kFaceBytes});
+        const StoredFaces& faces = *m_document->storedFaces();
+        const LayerId layer = addLayer(*m_document, "Layer 1");
+        QCOMPARE(faces.readBytes(), std::uint64_t{0});
+        Brush brush;
+        brush.radius = 0.02F;
+        m_document->beginStroke(brush);
+        m_document->extendStroke({faceId(20), {0.3F, 0.3F}, 1, 0});
+        m_document->endStroke();
+        QVERIFY(faces.readBytes() > 0);
+        QVERIFY(faces.readBytes() <= 3 * kFaceBytes);
+        QVERIFY(setOpacity(*m_document, layer, 0.5F));
+        QVERIFY(faces.readBytes() <= 6 * kFaceBytes); // under paint alone, once more
+        QVERIFY(m_document->layers().base().face(faceId(20)).isStored());
+        const TexelStore& shown = m_document->texels();
+        for (std::uint32_t f = 0; f < shown.faceCount(); ++f) {
+            QCOMPARE(shown.face(faceId(f)).bytes().size(), kFaceBytes);
+        }
+        m_watch->look();
+        QVERIFY(faces.heldBytes() <= 4 * kFaceBytes);
+        QVERIFY(shown.face(faceId(3)).sharesBytesWith(
+            m_document->layers().base().face(faceId(3)))); // one face still
+        QVERIFY(isShown(*m_document));
     }
 
     void whatIsHeldBeyondTheCachesBudgetIsGivenBack()
