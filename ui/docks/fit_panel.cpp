@@ -4,6 +4,7 @@
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QLabel>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -13,6 +14,7 @@
 #include "ui/docks/fit_result.h"
 #include "ui/docks/fit_views.h"
 #include "ui/docks/value_row.h"
+#include "ui/document/made_layers.h"
 
 #include <utility>
 
@@ -36,6 +38,7 @@ FitPanel::FitPanel(Document& document,
                    QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_jobs(jobs)
     , m_run(jobs, std::move(work))
     , m_views(new FitViews(document, viewport))
     , m_tolerance(new ScaledSpinBox(Scale::Logarithmic))
@@ -216,18 +219,55 @@ void FitPanel::apply()
         return;
     }
     const auto outcome = m_run.outcome();
-    const LevelCost& cost = outcome->fit.plan.cost;
-    if (m_document.replaceTexels(outcome->fit.fitted, outcome->state, tr("Fit levels to scene"))) {
-        m_applied = m_document.state().texels;
-        m_compare->showTexels(); // which are the fitted ones now
-        showState();
-        emit applied(tr("Fitted %1 faces: %2 → %3 texels, %4 → %5.")
-                         .arg(countText(cost.changedFaces),
-                              countText(cost.texelsBefore),
-                              countText(cost.texelsAfter),
-                              sizeText(cost.bytesBefore),
-                              sizeText(cost.bytesAfter)));
+    if (!m_document.layers().isPlain()) {
+        applyToLayers(outcome);
+    } else if (m_document.replaceTexels(outcome->fit.fitted, outcome->state, applyText())) {
+        tellApplied(outcome->fit.plan.cost);
     }
+}
+
+QString FitPanel::applyText()
+{
+    return tr("Fit levels to scene");
+}
+
+/// What was fitted is what layers look like together; they get its levels one by one.
+void FitPanel::applyToLayers(const std::shared_ptr<const FitOutcome>& outcome)
+{
+    m_apply->setEnabled(false);
+    m_jobs.run(
+        tr("Fitting the levels of the layers…"),
+        [project = m_document.snapshot(), active = m_document.activeLayer(), outcome](
+            Progress& progress) {
+            return withOtherLevels(project, active, outcome->fit.plan.levels, progress);
+        },
+        [self = QPointer(this), outcome](Result<LayersEdit> edit) {
+            if (!self) {
+                return;
+            }
+            if (!edit) {
+                if (edit.error().kind != ErrorKind::Cancelled) {
+                    emit self->failed(QString::fromStdString(edit.error().message));
+                }
+            } else if (self->m_document.replaceLayers(
+                           std::move(*edit), outcome->state, applyText())) {
+                self->tellApplied(outcome->fit.plan.cost);
+            }
+            self->showState();
+        });
+}
+
+void FitPanel::tellApplied(const LevelCost& cost)
+{
+    m_applied = m_document.state().texels;
+    m_compare->showTexels(); // which are the fitted ones now
+    showState();
+    emit applied(tr("Fitted %1 faces: %2 → %3 texels, %4 → %5.")
+                     .arg(countText(cost.changedFaces),
+                          countText(cost.texelsBefore),
+                          countText(cost.texelsAfter),
+                          sizeText(cost.bytesBefore),
+                          sizeText(cost.bytesAfter)));
 }
 
 /// Why no plan can be made with the choices as they are; empty where one can.

@@ -57,6 +57,9 @@ private:
     void connectRun();
     void planOrCancel();
     void apply();
+    static QString applyText();
+    void applyToLayers(const std::shared_ptr<const FitOutcome>& outcome);
+    void tellApplied(const LevelCost& cost);
     void showOutcome();
     bool hasItsTexels() const;
     void showState();
@@ -65,6 +68,7 @@ private:
     FitSettings settings() const;
 
     Document& m_document;
+    BackgroundJobs& m_jobs;
     FitRun m_run;
     std::shared_ptr<const FitOutcome> m_shown;
     std::optional<std::uint64_t> m_applied; ///< the texels' state that the plan led to

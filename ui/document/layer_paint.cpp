@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/layer_paint.h"
 
+#include "core/layers/layer_edits.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -112,12 +114,9 @@ filledTexel(const TexelFormat& format, LayerId layer, const std::array<float, 4>
     for (std::size_t k = 0; k < values.size(); ++k) {
         values[k] = color[std::min<std::size_t>(k, color.size() - 1)];
     }
-    if (layer != kBaseLayer) {
-        values.push_back(1); // covered
-    }
-    std::vector<std::byte> texel(values.size() * byteSize(format.type));
+    std::vector<std::byte> texel(format.texelBytes());
     encode(format.type, values, texel);
-    return texel;
+    return layer == kBaseLayer ? texel : coveringTexel(format, texel);
 }
 
 Ground groundOf(LayerId layer, const std::vector<std::byte>& fill)

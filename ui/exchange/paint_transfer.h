@@ -13,7 +13,7 @@
 namespace trixel::ui {
 
 /// Brings paint from another project's surface onto the open one's, in the background and as one
-/// undo step.
+/// undo step: as a layer of its own where the open project has layers.
 class PaintTransfer : public QObject
 {
     Q_OBJECT
@@ -36,7 +36,14 @@ private:
     void beginNow(std::shared_ptr<const Project> from,
                   const QString& path,
                   const TransferOptions& options);
-    void take(Result<Transfer> transfer, const QString& path, StateId madeFor);
+    struct Made;
+    static Result<Made> make(const Project& from,
+                             const Project& to,
+                             LayerId active,
+                             const QString& file,
+                             const TransferOptions& options,
+                             Progress& progress);
+    void take(Result<Made> made, const QString& path, StateId madeFor);
 
     Document& m_document;
     BackgroundJobs& m_jobs;

@@ -15,6 +15,7 @@
 #include "ui/import/import_look.h"
 #include "ui/import/import_options.h"
 #include "ui/import/import_words.h"
+#include "ui/import/import_work.h"
 #include "ui/import/mapping_pages.h"
 #include "ui/import/place_page.h"
 #include "ui/import/quad_placement.h"
@@ -344,10 +345,12 @@ void ImportPanel::apply()
     const QString name = m_image->name();
     m_job = &m_jobs.run(
         tr("Importing %1…").arg(name),
-        [input = input()](Progress& progress) { return importImage(input, progress); },
-        [self = QPointer(this), madeFor = m_document.state(), name](Result<TexelPatch> patch) {
+        [input = input(), below = m_document.activeLayer(), name](Progress& progress) {
+            return importIntoProject(input, below, name, progress);
+        },
+        [self = QPointer(this), madeFor = m_document.state(), name](Result<Imported> imported) {
             if (self) {
-                self->take(std::move(patch), madeFor, name);
+                self->take(std::move(imported), madeFor, name);
             }
         });
     connect(m_job, &BackgroundJob::progressed, this, [this] {
@@ -358,25 +361,28 @@ void ImportPanel::apply()
     showState();
 }
 
-void ImportPanel::take(Result<TexelPatch> patch, StateId madeFor, const QString& name)
+void ImportPanel::take(Result<Imported> imported, StateId madeFor, const QString& name)
 {
     m_job = nullptr;
-    if (!patch) {
-        if (patch.error().kind != ErrorKind::Cancelled) {
-            m_previewProblem = problemText(patch.error());
+    if (!imported) {
+        if (imported.error().kind != ErrorKind::Cancelled) {
+            m_previewProblem = problemText(imported.error());
             emit failed(tr("%1 was not imported: %2").arg(name, m_previewProblem));
         }
         refresh();
         return;
     }
-    const std::uint64_t faces = patch->faces().size();
-    if (!m_document.applyPatch(std::move(*patch), madeFor, tr("Import image %1").arg(name))) {
+    const QString text = tr("Import image %1").arg(name);
+    const bool isDone = imported->layers
+                            ? m_document.replaceLayers(std::move(*imported->layers), madeFor, text)
+                            : m_document.applyPatch(std::move(imported->patch), madeFor, text);
+    if (!isDone) {
         refresh(); // said already
         return;
     }
     m_look->setPicture(nullptr); // the texels are those now
     showState();
-    emit applied(tr("Imported %1 onto %2 faces.").arg(name, countText(faces)));
+    emit applied(tr("Imported %1 onto %2 faces.").arg(name, countText(imported->faces)));
     emit finished();
 }
 

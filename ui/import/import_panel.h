@@ -33,10 +33,11 @@ class QuadPlacement;
 class SpherePage;
 class Viewport;
 class ViewSettings;
+struct Imported;
 
 /// Brings a 2D image onto the faces: which image, how it lies on the surface, how it is looked up.
 /// The view shows what would come of it while the panel is seen; nothing is changed until it is
-/// applied, as one undo step.
+/// applied, as one undo step: as a layer of its own where the project has layers.
 class ImportPanel : public QWidget
 {
     Q_OBJECT
@@ -86,7 +87,7 @@ private:
     void takePicture(const std::shared_ptr<const PreviewPicture>& picture);
     void applyOrCancel();
     void apply();
-    void take(Result<TexelPatch> patch, StateId madeFor, const QString& name);
+    void take(Result<Imported> imported, StateId madeFor, const QString& name);
     void showState();
     QString stateText() const;
     MapKind kind() const;

@@ -3,6 +3,7 @@
 
 #include "core/io/channel_colors.h"
 #include "core/mapping/uv_mapping.h"
+#include "ui/document/made_layers.h"
 
 #include <utility>
 
@@ -51,6 +52,29 @@ Result<TexelPatch> importImage(const ImportInput& input, Progress& progress)
         patch->swap(texels); // now it holds the texels to come
     }
     return patch;
+}
+
+Result<Imported>
+importIntoProject(const ImportInput& input, LayerId below, const QString& name, Progress& progress)
+{
+    const bool isPlain = input.project.layers.isPlain();
+    StageProgress importing(progress, 0, isPlain ? 1 : 0.8);
+    auto patch = importImage(input, importing);
+    if (!patch) {
+        return tl::unexpected(patch.error());
+    }
+    Imported imported{{}, std::nullopt, patch->faces().size()};
+    if (isPlain) {
+        imported.patch = std::move(*patch);
+        return imported;
+    }
+    StageProgress layering(progress, 0.8, 1);
+    auto edit = withPatchAsLayer(input.project, below, *patch, name, layering);
+    if (!edit) {
+        return tl::unexpected(edit.error());
+    }
+    imported.layers = std::move(*edit);
+    return imported;
 }
 
 } // namespace trixel::ui

@@ -7,6 +7,7 @@
 #include "ui/dialogs/format_choice.h"
 #include "ui/document/background_job.h"
 #include "ui/document/face_selection.h"
+#include "ui/document/made_layers.h"
 #include "ui/window/actions.h"
 #include "ui/window/message_bar.h"
 
@@ -126,8 +127,9 @@ void LevelActions::count(const LevelChange& change, const QString& text)
     std::vector<FaceId> chosen(m_selection.faces().begin(), m_selection.faces().end());
     m_jobs.run(
         tr("Counting texels…"),
-        [texels = m_document.texels(), state = m_document.state(), change, text, chosen](
+        [project = m_document.snapshot(), state = m_document.state(), change, text, chosen](
             Progress& /*progress*/) -> Result<std::shared_ptr<const Plan>> {
+            const TexelStore& texels = project.texels;
             auto plan = std::make_shared<Plan>();
             const std::vector<FaceId> faces = facesOrAll(chosen, texels.faceCount());
             plan->text = text;
@@ -137,7 +139,7 @@ void LevelActions::count(const LevelChange& change, const QString& text)
                 return hasNoSuchLevel(texels.face(face).level(), change.kind);
             }));
             plan->levels = changedLevels(texels, faces, change);
-            plan->cost = levelCost(texels, plan->levels);
+            plan->cost = costOfLevels(project, plan->levels);
             return std::shared_ptr<const Plan>(std::move(plan));
         },
         [this, number](const Result<std::shared_ptr<const Plan>>& plan) {
@@ -182,6 +184,10 @@ void LevelActions::offer(const std::shared_ptr<const Plan>& plan)
 void LevelActions::apply(const std::shared_ptr<const Plan>& plan)
 {
     withdraw();
+    if (!m_document.layers().isPlain()) {
+        applyToLayers(plan);
+        return;
+    }
     const Project project = m_document.snapshot();
     m_jobs.run(
         tr("%1…").arg(plan->text),
@@ -197,11 +203,34 @@ void LevelActions::apply(const std::shared_ptr<const Plan>& plan)
         [this, plan](Result<TexelPatch> patch) {
             if (patch) {
                 m_document.applyPatch(std::move(*patch), plan->state, plan->text);
-            } else if (patch.error().kind != ErrorKind::Cancelled) {
-                m_messages.showMessage(MessageBar::Kind::Error,
-                                       QString::fromStdString(patch.error().message));
+            } else {
+                complain(patch.error());
             }
         });
+}
+
+void LevelActions::applyToLayers(const std::shared_ptr<const Plan>& plan)
+{
+    m_jobs.run(
+        tr("%1…").arg(plan->text),
+        [project = m_document.snapshot(), active = m_document.activeLayer(), plan](
+            Progress& progress) {
+            return withOtherLevels(project, active, plan->levels, progress);
+        },
+        [this, plan](Result<LayersEdit> edit) {
+            if (edit) {
+                m_document.replaceLayers(std::move(*edit), plan->state, plan->text);
+            } else {
+                complain(edit.error());
+            }
+        });
+}
+
+void LevelActions::complain(const Error& error)
+{
+    if (error.kind != ErrorKind::Cancelled) {
+        m_messages.showMessage(MessageBar::Kind::Error, QString::fromStdString(error.message));
+    }
 }
 
 void LevelActions::withdraw()

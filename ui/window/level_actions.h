@@ -45,6 +45,8 @@ private:
     void count(const LevelChange& change, const QString& text);
     void offer(const std::shared_ptr<const Plan>& plan);
     void apply(const std::shared_ptr<const Plan>& plan);
+    void applyToLayers(const std::shared_ptr<const Plan>& plan);
+    void complain(const Error& error);
     void withdraw();
 
     Document& m_document;

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 
+#include "tests/ui/document/layered_fixture.h"
 #include "tests/ui/exchange/exchange_fixture.h"
 #include "ui/exchange/transfer_dialog.h"
 
@@ -37,6 +38,24 @@ private slots:
         }
         press(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(facesThatDiffer(document().texels(), before).empty());
+    }
+
+    void withLayersThePaintIsALayerOfItsOwn()
+    {
+        addLayer(document(), "Layer 1");
+        fillFace(15);
+        const LayersPicture before = pictureOf(document());
+        const int steps = document().undoStack().count();
+        TransferDialog& dialog = ask(red(5, 0));
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QTRY_COMPARE(document().undoStack().count(), steps + 1);
+        QCOMPARE(document().layers().layers().back().settings.name, std::string("red"));
+        QCOMPARE(document().layers().layers().size(), std::size_t{2});
+        QCOMPARE(allTexels(document().layers().base()), before.texels[0]);
+        QCOMPARE(colorOf(FaceId{15}), QColor(200, 10, 20));
+        QVERIFY(isShown(document()));
+        document().undoStack().undo();
+        QVERIFY(pictureOf(document()) == before);
     }
 
     void theDistanceIsSensibleAndItsReachIsToldAsItIsTyped()

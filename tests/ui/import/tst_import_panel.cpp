@@ -10,6 +10,7 @@
 #include "core/mapping/sphere_mapping.h"
 #include "core/mapping/uv_mapping.h"
 #include "core/study/views/camera_clip.h"
+#include "tests/ui/document/layered_fixture.h"
 #include "tests/ui/import/import_fixture.h"
 
 namespace trixel::ui {
@@ -58,6 +59,29 @@ private slots:
         apply();
         QVERIFY(allTexels(document().texels()) == expected);
         QCOMPARE(document().undoStack().undoText(), QString("Import image photo.png"));
+    }
+
+    void withLayersAnImageIsOneMoreAboveTheActiveOne()
+    {
+        const LayerId lower = addLayer(document(), "Layer 1");
+        fillFace(7);
+        addLayer(document(), "Layer 2");
+        document().setActiveLayer(lower);
+        const LayersPicture before = pictureOf(document());
+        openPanelWith("Plane");
+        waitForPreview();
+        const std::vector<std::byte> expected = allTexels(panel().picture()->texels);
+        apply();
+        const auto layers = document().layers().layers();
+        QCOMPARE(layers.size(), std::size_t{3});
+        QCOMPARE(layers[1].settings.name, std::string("photo"));
+        QCOMPARE(document().activeLayer(), layers[1].id);
+        QCOMPARE(allTexels(document().layers().base()), before.texels[0]);
+        QVERIFY(allTexels(document().texels()) == expected);
+        QVERIFY(isShown(document()));
+        document().undoStack().undo();
+        QVERIFY(pictureOf(document()) == before);
+        QCOMPARE(document().activeLayer(), lower);
     }
 
     void aSpheresTexelsAreThoseThatCoreBakes()

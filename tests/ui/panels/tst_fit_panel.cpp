@@ -12,6 +12,7 @@
 #include <QThread>
 #include <QTreeWidget>
 
+#include "tests/ui/document/layered_fixture.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/docks/fit_panel.h"
 #include "ui/docks/fit_result.h"
@@ -123,6 +124,26 @@ private slots:
         QVERIFY(allTexels(document().texels()) == before);
         document().undoStack().redo();
         QVERIFY(allTexels(document().texels()) == allTexels(m_panel->run().outcome()->fit.fitted));
+    }
+
+    void withLayersEachGetsTheLevelsOfThePlan()
+    {
+        addLayer(document(), "Layer 1");
+        fillFace(20);
+        const LayersPicture before = pictureOf(document());
+        const int steps = document().undoStack().count();
+        plan();
+        const FitPlan& fit = m_panel->run().outcome()->fit.plan;
+        QSignalSpy told(m_panel.get(), &FitPanel::applied);
+        click("Apply the plan");
+        QTRY_COMPARE(told.size(), 1);
+        QCOMPARE(document().undoStack().count(), steps + 1);
+        QVERIFY(levelsOf(document().texels()) == fit.levels);
+        QVERIFY(levelsOf(document().layers().layers().front().texels) == fit.levels);
+        QVERIFY(isShown(document()));
+        QVERIFY2(state().contains("applied"), qPrintable(state()));
+        document().undoStack().undo();
+        QVERIFY(pictureOf(document()) == before);
     }
 
     void anUndonePlanMayBeAppliedAgain()

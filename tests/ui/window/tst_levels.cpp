@@ -8,6 +8,7 @@
 #include <QSpinBox>
 
 #include "core/lattice/texel.h"
+#include "tests/ui/document/layered_fixture.h"
 #include "tests/ui/window/window_fixture.h"
 #include "ui/document/face_selection.h"
 
@@ -146,6 +147,27 @@ private slots:
         QTRY_VERIFY(applyButton());
         QTest::mouseClick(applyButton(), Qt::LeftButton);
         QTRY_COMPARE(document().texels().texelCount(), std::uint64_t{128 * 256});
+    }
+
+    void allLayersGetTheLevelInOneStep()
+    {
+        fillFace(4);
+        const LayerId layer = addLayer(document(), "Layer 1");
+        fillFace(20);
+        const LayersPicture before = pictureOf(document());
+        const int steps = document().undoStack().count();
+        actionNamed(*m_window, "Double")->trigger();
+        QTRY_VERIFY(applyButton());
+        QVERIFY2(sentence().contains("56 KiB") || sentence().contains("57,344"),
+                 qPrintable(sentence())); // of base and layer, 3 + 4 bytes a texel
+        QTest::mouseClick(applyButton(), Qt::LeftButton);
+        QTRY_COMPARE(levelOf(20), 4);
+        QCOMPARE(document().undoStack().count(), steps + 1);
+        QCOMPARE(document().layers().texels(layer).face(FaceId{9}).level().log2(), 4);
+        QCOMPARE(document().layers().base().face(FaceId{9}).level().log2(), 4);
+        QVERIFY(isShown(document()));
+        document().undoStack().undo();
+        QVERIFY(pictureOf(document()) == before);
     }
 
     void levelIsAskedFor()
