@@ -90,13 +90,13 @@ vec4 probe(vec2 offset, vec2 place, vec3 c0, vec3 c1, vec3 c2, float level)
     return blockValue(block, inside.yz, level);
 }
 
-vec4 probedTexel(vec3 moves, float pixel2, float texel2)
+vec4 probedTexel(vec3 moves, float area2, float pixel2, float texel2)
 {
     float mean = 0.5 * (moves.x + moves.y);
     float slant = 0.5 * (moves.x - moves.y);
     float radius = sqrt(slant * slant + moves.z * moves.z);
     float longest = mean + radius;
-    float shortest = max(moves.x * moves.y - moves.z * moves.z, 0.0) / longest;
+    float shortest = area2 / longest;
     float major2 = pixel2 * longest + 0.25 * texel2;
     float own2 = max(pixel2 * shortest + 0.25 * texel2, probeThinnest * major2);
     float level = levelFor(log2Scale, own2, texel2);
@@ -148,11 +148,6 @@ float longestOf(vec3 moves)
     return 0.5 * (moves.x + moves.y) + sqrt(slant * slant + moves.z * moves.z);
 }
 
-float areaOf(vec3 moves)
-{
-    return max(moves.x * moves.y - moves.z * moves.z, 0.0);
-}
-
 // The tilt of the plane of the pixel's face, which is what the pixel sees; but by an edge, nearer than a
 // third of a pixel, it turns over to the one that both of its faces have in common there.
 vec2 ownTilt()
@@ -180,7 +175,8 @@ vec2 ownTilt()
 
 vec4 filteredTexel()
 {
-    vec3 moves = steps(viewPosition, ownTilt());
+    vec2 own = ownTilt();
+    vec3 moves = steps(viewPosition, own);
     float pixel2 = pixelVariance(viewPosition);
     float texel2 = exp2(2.0 * log2Scale.y);
     float pixel = 2.0 * sqrt(pixel2);
@@ -189,14 +185,14 @@ vec4 filteredTexel()
     Footprint footprint;
     footprint.ray = rayTo(viewPosition);
     footprint.moves = moves;
-    footprint.area2 = areaOf(moves);
+    footprint.area2 = areaOf(viewPosition, own);
     footprint.texel2 = texel2 / (pixel * pixel);
     footprint.minor2 = footprint.area2 / longest + footprint.texel2;
     float major2 = longest + footprint.texel2; // four times
     footprint.major = 0.5 * sqrt(major2);
     // Where tilts turn over, by edges, levels are not to switch.
     vec3 shared = steps(viewPosition, tilt);
-    footprint.lattice2 = areaOf(shared) / longestOf(shared) + footprint.texel2;
+    footprint.lattice2 = areaOf(viewPosition, tilt) / longestOf(shared) + footprint.texel2;
     float thinness = sqrt(major2 / footprint.minor2);
     // Of equilateral faces whose middles the ellipse holds, and those that it cuts.
     float edge = exp2(log2Scale.x) / pixel;
@@ -211,7 +207,7 @@ vec4 filteredTexel()
         toProbes = isWhole ? toProbes : 1.0;
     }
     if (toProbes > 0.0) {
-        value += toProbes * probedTexel(moves, pixel2, texel2);
+        value += toProbes * probedTexel(moves, footprint.area2, pixel2, texel2);
     }
     return value;
 }

@@ -25,6 +25,14 @@ vec3 steps(vec3 point, vec2 tilt)
                 tilt.x * tilt.y * size - tilt.y * ray.x - tilt.x * ray.y);
 }
 
+// Their determinant: the square of the cross product of both steps. From the products themselves it
+// would be a difference of large numbers where the surface is seen from near its edge.
+float areaOf(vec3 point, vec2 tilt)
+{
+    float facing = 1.0 - dot(tilt, rayTo(point));
+    return dot(tilt, tilt) + facing * facing;
+}
+
 // Of a pixel's quarter, as variances are.
 float pixelVariance(vec3 point)
 {
@@ -48,11 +56,10 @@ float seamlessLevel(vec3 point, vec2 tilt, vec2 scale)
     vec2 ray = rayTo(point);
     float tilt2 = dot(tilt, tilt);
     float along = dot(tilt, ray);
-    float area2 = tilt2 + (1.0 - along) * (1.0 - along); // of the cross product of both steps
     float sum = 2.0 - 2.0 * along + tilt2 * (dot(ray, ray) + 1.0);
     float pixel2 = pixelVariance(point);
     float texel2 = exp2(2.0 * scale.y);
     float least = 0.25 * texel2;
-    float variance = sqrt(pixel2 * (pixel2 * area2 + least * sum) + least * least);
+    float variance = sqrt(pixel2 * (pixel2 * areaOf(point, tilt) + least * sum) + least * least);
     return levelFor(scale, variance, texel2);
 }
