@@ -131,6 +131,7 @@ private slots:
         addLayer(document(), "Layer 1");
         fillFace(20);
         const LayersPicture before = pictureOf(document());
+        addPresentView(); // a step of its own
         const int steps = document().undoStack().count();
         plan();
         const FitPlan& fit = m_panel->run().outcome()->fit.plan;

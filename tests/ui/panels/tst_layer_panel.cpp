@@ -549,7 +549,7 @@ private slots:
     {
         int tabs = 0;
         for (const QTabBar* bar : m_window->findChildren<QTabBar*>()) {
-            for (int k = 0; k < bar->count(); ++k) {
+            for (int k = 0; bar->parent() == m_window.get() && k < bar->count(); ++k) {
                 QVERIFY2(bar->tabToolTip(k).startsWith(bar->tabText(k)),
                          qPrintable(bar->tabText(k)));
                 ++tabs;
