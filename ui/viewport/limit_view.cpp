@@ -261,7 +261,7 @@ void LimitView::keep(const Made& made)
 {
     m_isPossible = m_isPossible || made.isPossible;
     const bool isWanted = m_error > 0; // else it was given up meanwhile
-    if (made.solid && !m_hasOldCreases) {
+    if (made.solid) { // of creases before, it is followed by another
         m_solid = made.solid;
     }
     if (made.cut && isWanted) {

@@ -90,6 +90,22 @@ private slots:
         QCOMPARE(streamed, again.offscreen.draw(*again.renderer, again.scene));
     }
 
+    void whatChangesAltogetherWhileFirstTexelsAreMadeIsShown()
+    {
+        StreamingView view(gridProject(8, 3), 64 * kMiB); // faces of one value: bases say all
+        view.frame();                                     // begins with the texels there are
+        const std::array<std::byte, 3> red{std::byte{255}, std::byte{0}, std::byte{0}};
+        view.project.texels = TexelStore(
+            view.project.texels.faceCount(), view.project.texels.format(), Level(3), red);
+        view.streaming.texelsChanged();
+        view.renderer->touchAllTexels();
+        view.finish();
+        const QImage seen = view.offscreen.draw(*view.renderer, view.scene);
+        StreamingView again(view.project, 64 * kMiB);
+        again.finish();
+        QCOMPARE(seen, again.offscreen.draw(*again.renderer, again.scene));
+    }
+
     void aDropOfLevelsReplacesWhatIsShownWithoutAHole()
     {
         StreamingView view(noisyProject(8, 6), 64 * kMiB);
