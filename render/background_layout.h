@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -17,16 +18,19 @@ namespace trixel::render {
 
 /// Makes the first filling of a layout (`DisplayAtlas`) on a thread of its own,
 /// slice by slice; the window's thread sends slices to the card as they come, and has the layout
-/// when all have been taken. Stops and waits for the slice at hand when it is destroyed.
+/// when all have been taken. Stops and waits for the slice at hand when it is destroyed, or for
+/// what begins to see that it is to stop.
 template <class Layout, class Update>
 class BackgroundLayout
 {
 public:
+    /// Begins a layout with a store. \return  false where it was to stop, or found no memory
+    using Begin = std::function<bool(Layout&, const TexelStore&, const std::stop_token&)>;
+
     /// \param store  a snapshot
-    /// \param reset  begins a layout with it
-    BackgroundLayout(TexelStore store, std::function<void(Layout&, const TexelStore&)> reset)
+    BackgroundLayout(TexelStore store, Begin begin)
         : m_state(std::make_shared<State>())
-        , m_thread([state = m_state, texels = std::move(store), begin = std::move(reset)](
+        , m_thread([state = m_state, texels = std::move(store), begin = std::move(begin)](
                        const std::stop_token& stop) { run(*state, texels, begin, stop); })
     {
     }
@@ -53,6 +57,12 @@ public:
         return m_state->done && m_state->ready.empty();
     }
     Layout take() { return std::move(m_state->layout); }
+    /// Whether there was no memory for it: it will never be done.
+    bool hasFailed() const
+    {
+        const std::lock_guard lock(m_state->mutex);
+        return m_state->failed;
+    }
 
 private:
     static constexpr std::size_t kSliceBytes = 512U << 10U;
@@ -64,23 +74,37 @@ private:
         std::condition_variable_any room;
         std::deque<Update> ready;
         bool done = false;
+        bool failed = false;
         Layout layout;
     };
 
-    static void run(State& state,
-                    const TexelStore& store,
-                    const std::function<void(Layout&, const TexelStore&)>& reset,
-                    const std::stop_token& stop)
+    static void
+    run(State& state, const TexelStore& store, const Begin& begin, const std::stop_token& stop)
     {
-        reset(state.layout, store);
-        while (state.layout.hasWork() && !stop.stop_requested()) {
+        bool isWhole = false;
+        try {
+            isWhole = begin(state.layout, store, stop) && fill(state, store, stop);
+        } catch (const std::bad_alloc&) {
+            // Not whole is all there is to say of it.
+        }
+        const std::lock_guard lock(state.mutex);
+        state.done = isWhole;
+        state.failed = !isWhole && !stop.stop_requested();
+    }
+
+    /// \return  whether all has been made
+    static bool fill(State& state, const TexelStore& store, const std::stop_token& stop)
+    {
+        while (state.layout.hasWork()) {
+            if (stop.stop_requested()) {
+                return false;
+            }
             Update update = state.layout.take(store, kSliceBytes);
             std::unique_lock lock(state.mutex);
             state.room.wait(lock, stop, [&] { return state.ready.size() < kMostReady; });
             state.ready.push_back(std::move(update));
         }
-        const std::lock_guard lock(state.mutex);
-        state.done = true;
+        return true;
     }
 
     std::shared_ptr<State> m_state;

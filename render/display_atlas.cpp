@@ -13,14 +13,21 @@ namespace trixel::render {
 
 namespace {
 
+/// Of the time before the first tile, about.
+constexpr double kStoreShare = 0.5;
+
 /// The store as the atlas shows it: coarser, and single texels where that says all.
-TexelStore shownStore(const FilterMesh& mesh, const TexelStore& store, int drop)
+Result<TexelStore>
+shownStore(const FilterMesh& mesh, const TexelStore& store, int drop, Progress& progress)
 {
     ChainCache none({0, 1, 2, -1}, 0);
     const FaceMips mips(store, none);
     const FaceVertices about(mips, mesh.adjacency(), mesh.rings());
     TexelStore shown = store;
     for (std::size_t f = 0; f < store.faceCount(); ++f) {
+        if (!progress.report(static_cast<double>(f) / static_cast<double>(store.faceCount()))) {
+            return cancelled();
+        }
         const FaceTexels& face = store.face(faceId(f));
         if (about.isConstant(faceId(f))) {
             shown.exchange(faceId(f), face.atLevel(Level(0)));
@@ -33,10 +40,11 @@ TexelStore shownStore(const FilterMesh& mesh, const TexelStore& store, int drop)
 
 } // namespace
 
-void DisplayAtlas::reset(std::shared_ptr<const FilterMesh> mesh,
-                         const TexelStore& store,
-                         int mipDrop,
-                         std::uint64_t maxBytes)
+Status DisplayAtlas::reset(std::shared_ptr<const FilterMesh> mesh,
+                           const TexelStore& store,
+                           int mipDrop,
+                           std::uint64_t maxBytes,
+                           Progress& progress)
 {
     check(mesh->faceCount() == store.faceCount(), "texels of this mesh");
     m_mesh = std::move(mesh);
@@ -44,8 +52,20 @@ void DisplayAtlas::reset(std::shared_ptr<const FilterMesh> mesh,
     m_drop = mipDrop;
     m_nextFace = 0;
     m_fresh = true;
+    m_isReduced = false;
     m_touched.clear();
-    m_texels.emplace(shownStore(*m_mesh, store, mipDrop), m_mesh->adjacency());
+    StageProgress showing(progress, 0, kStoreShare);
+    auto shown = shownStore(*m_mesh, store, mipDrop, showing);
+    if (!shown) {
+        return tl::unexpected(shown.error());
+    }
+    m_texels.emplace(std::move(*shown), m_mesh->adjacency());
+    // Each level takes a quarter of the time of the one before.
+    auto coarsen = [&, done = kStoreShare]() mutable {
+        const double begin = std::exchange(done, 1 - (1 - done) / 4);
+        StageProgress coarsening(progress, begin, done);
+        return m_texels->coarsen(Threads::all(), coarsening);
+    };
 
     const std::uint64_t layerBytes = std::uint64_t{kLayerSize} * kLayerSize * texelBytes(m_format);
     const std::uint64_t most = std::clamp<std::uint64_t>(maxBytes / layerBytes, 1, kMostLayers);
@@ -59,11 +79,16 @@ void DisplayAtlas::reset(std::shared_ptr<const FilterMesh> mesh,
         return AtlasLayout::plan(levels, options);
     };
     while (m_texels->level() > Level(kFinest)) {
-        m_texels->coarsen(Threads::all());
+        if (Status coarser = coarsen(); !coarser) {
+            return coarser;
+        }
     }
     auto layout = plan();
     while ((!layout || layout->pages().size() > most) && m_texels->level() > Level(0)) {
-        m_texels->coarsen(Threads::all());
+        m_isReduced = true;
+        if (Status coarser = coarsen(); !coarser) {
+            return coarser;
+        }
         layout = plan();
     }
     check(layout.has_value(), "room for tiles of single texels");
@@ -78,6 +103,7 @@ void DisplayAtlas::reset(std::shared_ptr<const FilterMesh> mesh,
         m_records[f] = {place.origin.x | (place.origin.y << 12U) | (place.page << 24U),
                         number | (own << FaceRecord::kOwnShift)};
     }
+    return {};
 }
 
 bool DisplayAtlas::touch(const TexelStore& store, std::span<const TouchedRect> rects)

@@ -5,6 +5,8 @@
 
 #include "core/atlas/atlas_layout.h"
 #include "core/atlas/atlas_texels.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "render/display_texels.h"
 #include "render/filter_mesh.h"
 
@@ -46,13 +48,17 @@ public:
     static constexpr int kFinest = 11; ///< that fits into it
     static constexpr std::uint32_t kMostLayers = 255;
 
-    /// Starts over with a store.
+    /// Starts over with a store. Fails when cancelled and when memory runs out; then it is of no
+    /// use before the next time.
     /// \param mipDrop   show every face this many levels coarser
     /// \param maxBytes  of all layers; finer faces are shown coarser to fit
-    void reset(std::shared_ptr<const FilterMesh> mesh,
-               const TexelStore& store,
-               int mipDrop,
-               std::uint64_t maxBytes);
+    Status reset(std::shared_ptr<const FilterMesh> mesh,
+                 const TexelStore& store,
+                 int mipDrop,
+                 std::uint64_t maxBytes,
+                 Progress& progress);
+    /// Whether finer faces are shown coarser to fit.
+    bool isReduced() const { return m_isReduced; }
 
     /// Notes that texels changed. \return  false where the layout does not fit them any more
     bool touch(const TexelStore& store, std::span<const TouchedRect> rects);
@@ -77,6 +83,7 @@ private:
     CardChannels m_channels{0, 1, 2, -1};
     int m_drop = 0;
     bool m_fresh = false;
+    bool m_isReduced = false;
     std::optional<AtlasTexels> m_texels;
     std::optional<AtlasLayout> m_layout;
     std::vector<FaceRecord> m_records;

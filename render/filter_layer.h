@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace trixel::render {
@@ -53,7 +54,8 @@ public:
 
     /// Gives up everything.
     void clear();
-    /// Sends what there is to send, `byteBudget` at most; begins where nothing was.
+    /// Sends what there is to send, `byteBudget` at most; begins where nothing was. What there was
+    /// no memory for is not begun again before all is given up.
     /// \param most  what `Layout::reset` takes as its bound
     /// \return bytes sent
     std::size_t upload(const std::shared_ptr<const FilterMesh>& mesh,
@@ -65,10 +67,14 @@ public:
     void touch(const TexelStore& store, std::span<const TouchedRect> rects);
     void touchAll();
     void showChannels(const CardChannels& channels);
+    /// Another bound: begins anew where more is taken, or finer faces could be shown.
+    void setMost(std::uint64_t most);
+    /// Whether there turned out to be no memory for it, since this was asked last.
+    bool takeFailure() { return std::exchange(m_tellsFailure, false); }
 
     /// Whether all of it is on the card, if not quite up to date.
     bool isReady() const { return m_layout.has_value(); }
-    bool hasWork() const { return !m_layout || m_layout->hasWork(); }
+    bool hasWork() const { return !m_hasFailed && (!m_layout || m_layout->hasWork()); }
     bool isMaking() const { return m_making != nullptr; }
     Card& card() { return m_card; }
     std::uint64_t bytes() const { return m_card.bytes(); } ///< on the card
@@ -81,6 +87,9 @@ private:
     bool m_madeIsOld = false;         ///< what is being made is not what is wanted any more
     std::vector<TouchedRect> m_since; ///< touched since it began
     std::optional<Layout> m_layout;
+    std::uint64_t m_most = 0; ///< bound of what is made or being made
+    bool m_hasFailed = false;
+    bool m_tellsFailure = false;
 };
 
 using AtlasForm = FilterForm<DisplayAtlas, AtlasUpdate, SurfaceAtlas>;

@@ -150,6 +150,7 @@ void Renderer::shareBudget()
         if (layer.hasVertices) {
             layer.vertices.setMost(mostTexels(texelBytes(layer.vertices.format())));
         }
+        layer.atlas.setMost(mostTexels(1));
     }
 }
 

@@ -93,6 +93,8 @@ public:
     /// The same of the atlas alone, where vertices are streamed.
     std::size_t uploadAtlas(const TexelStore& store, std::size_t byteBudget, Side side = Side::A);
     bool hasAtlasWork(Side side = Side::A) const;
+    /// Whether there turned out to be no memory for an atlas, since this was asked last.
+    bool takeAtlasFailure();
     /// Whether a way of filtering is shown: of the atlas all of it, of others something of every
     /// face is on the card. Until then texels are.
     bool isFilterReady(Filtering filtering, Side side = Side::A) const;

@@ -102,6 +102,12 @@ bool Renderer::hasAtlasWork(Side side) const
     return m_filterMesh && wants(FilterSource::Atlas) && layer.atlas.hasWork();
 }
 
+bool Renderer::takeAtlasFailure()
+{
+    const bool first = m_layers.front().atlas.takeFailure();
+    return m_layers.back().atlas.takeFailure() || first;
+}
+
 bool Renderer::isFilterReady(Filtering filtering, Side side) const
 {
     const Layer& layer = m_layers[static_cast<std::size_t>(side)];

@@ -109,6 +109,9 @@ void Viewport::Private::sendAtlas(double milliseconds)
     if (hasOtherTexels()) {
         hasMore = sendAtlas(otherSideTexels(), render::Side::B, milliseconds) || hasMore;
     }
+    if (renderer->takeAtlasFailure()) {
+        emit q.notice(tr("There is not enough memory for a packed atlas: texels are shown."));
+    }
     if (hasMore) {
         QTimer::singleShot(kLookAgainMs, &q, [this] { redraw(); });
     }

@@ -145,6 +145,31 @@ private slots:
     }
 
     /// Their bases take several frames.
+    void thePackedAtlasFollowsTheBudget()
+    {
+        StreamingView view(noisyProject(24, 6), 128 * kMiB);
+        view.scene.camera.setPose(poseAt(0));
+        view.filter(render::Filtering::PackedAtlas);
+        const auto bytesOfAtlas = [&](std::uint64_t budget) {
+            view.offscreen.bind();
+            view.renderer->setCardBudget(budget);
+            view.finish();
+            while (view.renderer->hasAtlasWork()) {
+                (void)view.renderer->uploadAtlas(view.project.texels, kMiB);
+                QTest::qWait(1);
+            }
+            (void)view.offscreen.draw(*view.renderer, view.scene);
+            const render::FrameFigures& figures = view.renderer->figures();
+            view.offscreen.bind();
+            return figures.residentBytes - view.renderer->texels().cardBytes();
+        };
+        const std::uint64_t most = bytesOfAtlas(128 * kMiB);
+        const std::uint64_t least = bytesOfAtlas(48 * kMiB);
+        QVERIFY(least < most);
+        QVERIFY(view.renderer->figures().residentBytes <= 48 * kMiB);
+        QCOMPARE(bytesOfAtlas(128 * kMiB), most);
+    }
+
     void veryManyFacesStayShownWhileTheBudgetShrinks()
     {
         StreamingView view(noisyProject(220, 2), 64 * kMiB);
