@@ -120,6 +120,8 @@ public:
     /// Takes blocks over, made from a snapshot taken after the jobs were given out.
     /// \param store  as it is now
     void accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store);
+    /// Jobs come to nothing: what they were for stays as it is.
+    void giveUp(const JobBatch& batch);
     /// What is ready to be sent: a part of the bases, or blocks accepted and what was touched.
     /// \param mostRead  texels of the store to be read for that, but at least one face
     DisplayUpdate takeReady(const TexelStore& store, std::size_t mostRead);
@@ -264,6 +266,7 @@ private:
     void addMeans(std::size_t bytes, JobBatch& batch);
     bool resize(FaceId face, int level, bool keeps = false);
     bool placeBlock(const BlockJob& job);
+    bool land(const BlockJob& job);
     void acceptBlock(const BlockJob& job, std::span<const std::byte> bytes);
     std::size_t bytesOf(int level) const;
     std::int64_t roomUsed() const;

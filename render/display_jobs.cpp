@@ -189,6 +189,26 @@ std::optional<MadeBlocks> DisplayBlocks::makeAgain(const TexelStore& /*store*/,
     return std::nullopt;
 }
 
+/// A job is under way no more. \return  whether its face was touched meanwhile
+bool DisplayBlocks::land(const BlockJob& job)
+{
+    std::uint8_t& inFlight = m_inFlight[indexOf(job.face)];
+    const bool wasTouched = (inFlight & kTouchedInFlight) != 0;
+    inFlight = (--inFlight & ~kTouchedInFlight) == 0 ? 0 : inFlight;
+    return wasTouched;
+}
+
+void DisplayBlocks::giveUp(const JobBatch& batch)
+{
+    if (batch.generation != m_generation) {
+        return;
+    }
+    m_elementsInFlight -= batch.elements;
+    for (const BlockJob& job : batch.jobs) {
+        (void)land(job);
+    }
+}
+
 void DisplayBlocks::accept(const MadeBlocks& made, const JobBatch& batch, const TexelStore& store)
 {
     check(made.jobs.size() == batch.jobs.size(), "blocks of these jobs");
@@ -204,10 +224,7 @@ void DisplayBlocks::accept(const MadeBlocks& made, const JobBatch& batch, const 
         const std::size_t end = made.ends[k];
         const auto bytes = std::span(made.bytes).subspan(begin, end - begin);
         begin = end;
-        std::uint8_t& inFlight = m_inFlight[indexOf(job.face)];
-        const bool wasTouched = (inFlight & kTouchedInFlight) != 0;
-        inFlight = (--inFlight & ~kTouchedInFlight) == 0 ? 0 : inFlight;
-        if (!wasTouched) {
+        if (!land(job)) {
             acceptBlock(job, bytes);
             continue;
         }

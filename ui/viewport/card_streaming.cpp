@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace trixel::ui {
@@ -52,14 +53,19 @@ CardStreaming::~CardStreaming()
     m_pool.waitForDone();
 }
 
-/// Works on a thread, then tells. What a task refers to must be its own.
+/// Works on a thread, then tells. What a task refers to must be its own. One that runs out of
+/// memory has no result.
 template <class T, class Work>
 CardStreaming::TaskPtr<T> CardStreaming::start(int priority, Work work)
 {
     auto task = std::make_shared<Task<T>>();
     m_pool.start(
         [this, task, work = std::move(work)] {
-            task->result = work();
+            try {
+                task->result = work();
+            } catch (const std::bad_alloc&) {
+                // Told where the result is looked for.
+            }
             task->isDone = true;
             QMetaObject::invokeMethod(this, &CardStreaming::ready, Qt::QueuedConnection);
         },
@@ -73,10 +79,18 @@ void CardStreaming::Lane::forgetSnapshot()
     maker = nullptr;
 }
 
+void CardStreaming::tellNoMemory()
+{
+    if (!std::exchange(m_hasToldNoMemory, true)) {
+        emit outOfMemory();
+    }
+}
+
 void CardStreaming::setSurface(std::shared_ptr<const Surface> surface)
 {
     forget();
     m_surface = std::move(surface);
+    m_hasToldNoMemory = false;
     m_extents = nullptr;
     m_filterMesh = nullptr;
     m_vertexExtents = nullptr;
@@ -181,6 +195,11 @@ bool CardStreaming::send(const Frame& frame)
            lane.batches.front().made->isDone && frame.hasTime()) {
         const Batch batch = std::move(lane.batches.front());
         lane.batches.pop_front();
+        if (!batch.made->result) { // what is shown stays as coarse as it is
+            frame.display.giveUp(batch.jobs);
+            tellNoMemory();
+            continue;
+        }
         frame.display.accept(*batch.made->result, batch.jobs, frame.store);
         frame.sendReady();
     }
@@ -199,6 +218,11 @@ void CardStreaming::open(const Frame& frame)
     if (display.isOpening()) {
         return; // one after the other
     }
+    if (lane.opening && lane.opening->isDone && !lane.opening->result) {
+        lane.opening = nullptr; // and is not tried again before it is needed anew
+        lane.failedOpening = lane.openingNumber;
+        tellNoMemory();
+    }
     if (lane.opening && lane.opening->isDone) {
         render::PreparedOpening& made = *lane.opening->result;
         if (display.canOpen(made) && made.opening.form == display.form() &&
@@ -210,7 +234,7 @@ void CardStreaming::open(const Frame& frame)
         }
         lane.opening = nullptr;
     }
-    if (display.needsOpening() && !lane.opening) {
+    if (display.needsOpening() && !lane.opening && lane.failedOpening != display.openingNumber()) {
         lane.forgetSnapshot(); // it may be of another store
         lane.openingNumber = display.openingNumber();
         lane.opening = start<render::PreparedOpening>(
@@ -225,6 +249,11 @@ void CardStreaming::plan(const Frame& frame)
 {
     Lane& lane = frame.lane;
     render::DisplayBlocks& display = frame.display;
+    if (lane.plan && lane.plan->isDone && !lane.plan->result) {
+        lane.plan = nullptr; // views to come may be planned for
+        lane.hasPlanFailed = true;
+        tellNoMemory();
+    }
     if (lane.plan && lane.plan->isDone) {
         if (lane.plannedOpening == display.openingNumber()) {
             display.follow(std::move(*lane.plan->result));
@@ -235,12 +264,13 @@ void CardStreaming::plan(const Frame& frame)
     }
     const bool isOpen =
         !display.needsOpening() && !display.isOpening() && !display.records().empty();
-    const bool isNew =
-        display.needsPlan() || !lane.planned || !sameView(*lane.planned, frame.camera);
-    const bool hasExtents = frame.extents && frame.extents->isDone;
+    const bool isNew = (display.needsPlan() && !lane.hasPlanFailed) || !lane.planned ||
+                       !sameView(*lane.planned, frame.camera);
+    const bool hasExtents = frame.extents && frame.extents->isDone && frame.extents->result;
     if (!frame.isShown || !isOpen || lane.plan || !isNew || !hasExtents) {
         return;
     }
+    lane.hasPlanFailed = false;
     lane.planned = frame.camera;
     lane.plannedOpening = display.openingNumber();
     lane.plan = start<render::ResidencyPlan>(

@@ -66,12 +66,14 @@ public:
 
 signals:
     void ready(); ///< there is something to send
+    /// Something could not be made for want of memory, for the first time with this surface.
+    void outOfMemory();
 
 private:
     template <class T>
     struct Task
     {
-        std::optional<T> result;
+        std::optional<T> result; ///< none where memory ran out, once it is done
         std::atomic<bool> isDone = false;
     };
     template <class T>
@@ -88,6 +90,8 @@ private:
         render::DisplayBlocks::Maker maker; ///< of blocks of the snapshot
         TaskPtr<render::PreparedOpening> opening;
         std::uint32_t openingNumber = 0;
+        std::optional<std::uint32_t> failedOpening; ///< for which there was no memory
+        bool hasPlanFailed = false;                 ///< likewise, for the view planned for
         TaskPtr<render::ResidencyPlan> plan;
         std::optional<render::Camera> planned; ///< the view of the latest plan
         std::uint32_t plannedOpening = 0;
@@ -111,6 +115,7 @@ private:
 
     template <class T, class Work>
     TaskPtr<T> start(int priority, Work work);
+    void tellNoMemory();
     bool send(const Frame& frame);
     void open(const Frame& frame);
     void plan(const Frame& frame);
@@ -121,6 +126,7 @@ private:
 
     std::array<Lane, 4> m_lanes; ///< texels of both sides, then their vertices
     bool m_showsTexels = true;
+    bool m_hasToldNoMemory = false;
     QTimer m_pause; ///< runs while texels change
     std::shared_ptr<const Surface> m_surface;
     Extents m_extents;

@@ -9,6 +9,7 @@
 #include "core/paint/paint_surface.h"
 #include "ui/document/background_job.h"
 
+#include <new>
 #include <utility>
 
 namespace trixel::ui {
@@ -134,7 +135,13 @@ void LimitView::start(Work work, const QString& jobTitle)
     m_stop = std::make_shared<std::atomic<bool>>(false);
     auto run = [work = std::move(work), stop = m_stop](Progress& watched) -> Made {
         UntilStopped progress(*stop, watched);
-        return work(progress);
+        try {
+            return work(progress);
+        } catch (const std::bad_alloc&) {
+            Made none;
+            none.refusal = "There is not enough memory for the limit surface.";
+            return none;
+        }
     };
     if (m_jobs == nullptr || jobTitle.isEmpty()) {
         m_watcher.setFuture(QtConcurrent::run([run = std::move(run)]() -> Made {
@@ -261,7 +268,7 @@ void LimitView::keep(const Made& made)
 {
     m_isPossible = m_isPossible || made.isPossible;
     const bool isWanted = m_error > 0; // else it was given up meanwhile
-    if (made.solid) { // of creases before, it is followed by another
+    if (made.solid) {                  // of creases before, it is followed by another
         m_solid = made.solid;
     }
     if (made.cut && isWanted) {

@@ -2,11 +2,11 @@
 #include "ui/viewport/view_map.h"
 
 #include <QMouseEvent>
-#include <QtConcurrent>
 
 #include "render/camera_view.h"
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/map_legend.h"
 #include "ui/viewport/method_title.h"
 
@@ -230,9 +230,10 @@ void ViewMap::begin()
 
 void ViewMap::beginFaces()
 {
-    FaceMapWork work{m_map, m_document.surface(), m_document.texels(), m_faceErrors, m_faceDifferences};
+    FaceMapWork work{
+        m_map, m_document.surface(), m_document.texels(), m_faceErrors, m_faceDifferences};
     m_faceWatcher.setFuture(
-        QtConcurrent::run([work = std::move(work)] { return computeFaceMap(work); }));
+        runWithinMemory([work = std::move(work)] { return computeFaceMap(work); }));
     showState();
 }
 
@@ -241,7 +242,12 @@ void ViewMap::takeFaces()
     if (m_faceWatcher.isCanceled()) {
         return; // of a map that is gone
     }
-    const auto numbers = std::make_shared<const FaceNumbers>(m_faceWatcher.result());
+    auto made = madeOf(m_faceWatcher.future());
+    if (!made) {
+        m_legend->setState(tr("There is not enough memory for this map."));
+        return;
+    }
+    const auto numbers = std::make_shared<const FaceNumbers>(std::move(*made));
     m_viewport.setFaceColors(numbers->colors);
     m_faceValues = numbers->values;
     m_legend->setMap(m_map, title(), numbers->scale);

@@ -101,6 +101,9 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
     connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
     connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
+    connect(&d->streaming, &CardStreaming::outOfMemory, this, [this] {
+        emit notice(tr("There is not enough memory: some faces are shown coarser than they are."));
+    });
     connect(
         &d->filterWatcher, &QFutureWatcherBase::finished, this, [this] { d->filterMeshReady(); });
     connect(&document, &Document::heldTexelsReleased, this, [this] { d->releaseHeldTexels(); });

@@ -4,9 +4,9 @@
 #include <QElapsedTimer>
 #include <QThread>
 #include <QTimer>
-#include <QtConcurrent>
 
 #include "render/filtering_study.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/viewport_private.h"
 
 #include <algorithm>
@@ -54,12 +54,14 @@ void Viewport::Private::makeFilterMesh()
     if (std::exchange(isMakingFilterMesh, true)) {
         return;
     }
-    filterWatcher.setFuture(QtConcurrent::run([surface = shownSurface,
-                                               store = texels(),
-                                               limit = filteredLimit] {
-        return std::make_shared<const render::FilterMesh>(
-            surface->mesh(), surface->adjacency(), store, limit ? &limit->tessellation() : nullptr);
-    }));
+    filterWatcher.setFuture(
+        runWithinMemory([surface = shownSurface, store = texels(), limit = filteredLimit] {
+            return std::shared_ptr<const render::FilterMesh>(
+                std::make_shared<render::FilterMesh>(surface->mesh(),
+                                                     surface->adjacency(),
+                                                     store,
+                                                     limit ? &limit->tessellation() : nullptr));
+        }));
     filterMeshMade = filterMeshNumber;
 }
 
@@ -69,8 +71,12 @@ void Viewport::Private::filterMeshReady()
     if (!std::exchange(isMakingFilterMesh, false)) {
         return;
     }
-    if (filterMeshMade == filterMeshNumber) {
-        filterMesh = filterWatcher.result();
+    const auto made = madeOf(filterWatcher.future());
+    if (!made) {
+        emit q.notice(
+            tr("There is not enough memory for this way of filtering: texels are shown."));
+    } else if (filterMeshMade == filterMeshNumber) {
+        filterMesh = *made;
         filterMeshDirty = true;
     }
     redraw();
@@ -89,8 +95,8 @@ void Viewport::Private::prepareFilters()
     if (!shows(render::FilterSource::Vertices) && !shows(render::FilterSource::Atlas)) {
         return;
     }
-    if (!filterMesh) {
-        makeFilterMesh();
+    if (!filterMesh && (isMakingFilterMesh || filterMeshMade != filterMeshNumber)) {
+        makeFilterMesh(); // else there was no memory for it
     }
     if (filterMeshDirty) {
         filterMeshDirty = false;

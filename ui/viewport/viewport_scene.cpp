@@ -3,9 +3,9 @@
 #include <QLoggingCategory>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QtConcurrent>
 
 #include "render/corner_normals.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/graphics_probe.h"
 #include "ui/viewport/viewport_private.h"
 
@@ -65,7 +65,7 @@ void Viewport::Private::takeSurface()
     emit q.hovered(std::nullopt);
     if (shownSurface) {
         camera.setScene(shownSurface->low(), shownSurface->high());
-        normalsWatcher.setFuture(QtConcurrent::run(
+        normalsWatcher.setFuture(runWithinMemory(
             [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
     }
     limitView.setSurface(shownSurface, document.creaseAngle());
@@ -303,11 +303,15 @@ void Viewport::Private::finishTexels()
 
 void Viewport::Private::normalsReady()
 {
-    std::vector<std::uint32_t> made = normalsWatcher.result();
-    if (!shownSurface || made.size() != 3 * shownSurface->mesh().faceCount()) {
+    auto made = madeOf(normalsWatcher.future());
+    if (!made) {
+        emit q.notice(tr("There is not enough memory to shade the surface smoothly."));
+        return;
+    }
+    if (!shownSurface || made->size() != 3 * shownSurface->mesh().faceCount()) {
         return; // of a surface shown before
     }
-    normals = std::move(made);
+    normals = std::move(*made);
     if (renderer && !meshDirty) {
         canvas->makeCurrent();
         renderer->setNormals(normals);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The chosen faces: their outline, and choosing them with the pointer.
-#include <QtConcurrent>
 
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/viewport_private.h"
 
 #include <algorithm>
@@ -41,10 +41,9 @@ void Viewport::Private::takeSelection()
                                  : std::vector<render::Polyline>();
         redraw();
     } else if (!isBusy) {
-        outlineWatcher.setFuture(
-            QtConcurrent::run([surface, limit, chosen = selection->snapshot()] {
-                return selectionOutline(*surface, *chosen, limit.get());
-            }));
+        outlineWatcher.setFuture(runWithinMemory([surface, limit, chosen = selection->snapshot()] {
+            return selectionOutline(*surface, *chosen, limit.get());
+        }));
     }
 }
 
@@ -54,7 +53,7 @@ void Viewport::Private::outlineReady()
         takeSelection();
         return;
     }
-    selectionLines = outlineWatcher.result();
+    selectionLines = madeOf(outlineWatcher.future()).value_or(std::vector<render::Polyline>());
     redraw();
 }
 

@@ -3,12 +3,35 @@
 // Texels that come to the card while the view goes on, with the threads and the context of a
 // running window.
 #include <QElapsedTimer>
+#include <QSignalSpy>
 #include <QTest>
 
+#include "core/texture/stored_faces.h"
 #include "tests/ui/viewport/streaming_view.h"
+
+#include <new>
 
 using namespace trixel;
 using namespace trixel::ui;
+
+namespace {
+
+/// As if each face of a file was too large to be read.
+class FacesWithoutMemory final : public FaceReader
+{
+public:
+    Result<bool> read(FaceId, Level, std::span<std::byte>) const override
+    {
+        throw std::bad_alloc();
+    }
+    bool stores(FaceId, Level) const override { return false; }
+    std::span<const std::byte> mean(FaceId) const override { return m_mean; }
+
+private:
+    std::array<std::byte, 3> m_mean{};
+};
+
+} // namespace
 
 class TestViewportStreaming : public QObject
 {
@@ -104,6 +127,27 @@ private slots:
         StreamingView again(view.project, 64 * kMiB);
         again.finish();
         QCOMPARE(seen, again.offscreen.draw(*again.renderer, again.scene));
+    }
+
+    void wantOfMemoryIsToldOnceAndEndsNothing()
+    {
+        Project project = gridProject(8, 6);
+        const auto faces =
+            StoredFaces::make(project.texels.format(), std::make_unique<FacesWithoutMemory>());
+        for (std::size_t f = 0; f < project.texels.faceCount(); ++f) {
+            project.texels.exchange(faceId(f), faces->face(faceId(f), Level(6)));
+        }
+        project.storedFaces = faces;
+        StreamingView view(std::move(project), 64 * kMiB);
+        QSignalSpy told(&view.streaming, &CardStreaming::outOfMemory);
+        view.scene.camera.setPose(poseAt(0));
+        view.frame();
+        view.finish();
+        QVERIFY(!view.streaming.isBusy());
+        QCOMPARE(told.count(), 1);
+        for (const render::FaceRecord& record : view.renderer->texels().records()) {
+            QVERIFY(!record.isPending()); // the means that the file keeps are there
+        }
     }
 
     void aDropOfLevelsReplacesWhatIsShownWithoutAHole()
