@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
+#include <QScopedValueRollback>
 
 #include "ui/viewport/view_map.h"
 #include "ui/viewport/view_settings.h"
@@ -50,7 +51,7 @@ FitCompare::FitCompare(ViewSettings& settings, Viewport& viewport, ViewMap& map,
     connect(m_fitted, &QRadioButton::clicked, this, &FitCompare::showFitted);
     connect(m_errors, &QRadioButton::clicked, this, &FitCompare::showErrors);
     connect(&settings, &ViewSettings::viewChanged, this, &FitCompare::follow);
-    connect(&viewport, &Viewport::otherTexelsShown, this, &FitCompare::follow);
+    connect(&viewport, &Viewport::otherTexelsShown, this, &FitCompare::takeShown);
     follow();
 }
 
@@ -88,6 +89,7 @@ void FitCompare::showFitted()
 {
     if (m_outcome) {
         chooseMap(false);
+        const QScopedValueRollback showing(m_isShowing, true);
         m_viewport.showOtherTexels(m_outcome->fit.fitted);
     }
 }
@@ -110,10 +112,17 @@ void FitCompare::chooseMap(bool errors)
     }
 }
 
+/// Other texels may be those of an import's preview, too.
+void FitCompare::takeShown(bool others)
+{
+    m_showsFitted = others && m_isShowing;
+    follow();
+}
+
 void FitCompare::follow()
 {
     QRadioButton* shown = m_settings.view().map == ViewMapKind::Fit ? m_errors
-                          : m_viewport.showsOtherTexels()           ? m_fitted
+                          : m_showsFitted                           ? m_fitted
                                                                     : m_texels;
     shown->setChecked(true);
 }

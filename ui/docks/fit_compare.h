@@ -32,12 +32,15 @@ private:
     QRadioButton* addChoice(const QString& text, const QString& name, const QString& toolTip);
     void showFitted();
     void chooseMap(bool errors);
+    void takeShown(bool others);
     void follow();
 
     ViewSettings& m_settings;
     Viewport& m_viewport;
     ViewMap& m_map;
     std::shared_ptr<const FitOutcome> m_outcome;
+    bool m_isShowing = false;   ///< what the view is told to show is ours
+    bool m_showsFitted = false; ///< and nobody else has had it show others since
     QRadioButton* m_texels;
     QRadioButton* m_fitted;
     QRadioButton* m_errors;

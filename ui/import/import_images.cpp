@@ -70,7 +70,8 @@ Result<std::shared_ptr<const ImportImages>> readImportImages(const std::filesyst
 
 Result<std::shared_ptr<const ImageTiles>>
 ImportSamplers::make(const std::shared_ptr<const ImportImages>& images,
-                     const ImportSettings& settings)
+                     const ImportSettings& settings,
+                     Progress& progress)
 {
     const bool isUvs = settings.kind == MapKind::Uvs;
     // Round a sphere the image goes on by itself.
@@ -96,7 +97,7 @@ ImportSamplers::make(const std::shared_ptr<const ImportImages>& images,
     for (const TileImage& one : images->images) {
         declared.push_back({one.tile, asDeclared(one.image, settings), one.name});
     }
-    auto made = ImageTiles::make(std::move(declared), options, Threads::all());
+    auto made = ImageTiles::make(std::move(declared), options, Threads::all(), progress);
     if (!made) {
         return tl::unexpected(made.error());
     }

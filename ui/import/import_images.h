@@ -38,7 +38,9 @@ class ImportSamplers
 public:
     /// \param images  stay the same as long as the pointer does
     Result<std::shared_ptr<const ImageTiles>>
-    make(const std::shared_ptr<const ImportImages>& images, const ImportSettings& settings);
+    make(const std::shared_ptr<const ImportImages>& images,
+         const ImportSettings& settings,
+         Progress& progress);
 
 private:
     struct Key

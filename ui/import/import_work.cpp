@@ -9,13 +9,20 @@
 
 namespace trixel::ui {
 
-Result<PreparedImport> prepareImport(const ImportInput& input)
+namespace {
+
+/// Part of an import's time that making coarser levels of its images takes, about.
+constexpr double kPrepared = 0.2;
+
+} // namespace
+
+Result<PreparedImport> prepareImport(const ImportInput& input, Progress& progress)
 {
     auto mapping = makeImportMapping(input.settings, input.project.surface);
     if (!mapping) {
         return tl::unexpected(mapping.error());
     }
-    auto tiles = input.samplers->make(input.images, input.settings);
+    auto tiles = input.samplers->make(input.images, input.settings, progress);
     if (!tiles) {
         return tl::unexpected(tiles.error());
     }
@@ -37,17 +44,19 @@ Result<PreparedImport> prepareImport(const ImportInput& input)
 
 Result<TexelPatch> importImage(const ImportInput& input, Progress& progress)
 {
-    const auto prepared = prepareImport(input);
+    StageProgress preparing(progress, 0, kPrepared);
+    const auto prepared = prepareImport(input, preparing);
     if (!prepared) {
         return tl::unexpected(prepared.error());
     }
     TexelStore texels = input.project.texels;
+    StageProgress baking(progress, kPrepared, 1);
     auto patch = bake(texels,
                       prepared->faces,
                       *prepared->mapping.mapping,
                       *prepared->tiles,
                       prepared->options,
-                      progress);
+                      baking);
     if (patch) {
         patch->swap(texels); // now it holds the texels to come
     }

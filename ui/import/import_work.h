@@ -33,7 +33,7 @@ struct PreparedImport
 };
 
 /// Fails, in one sentence, where the settings make no mapping or the uvs lead beyond the image.
-Result<PreparedImport> prepareImport(const ImportInput& input);
+Result<PreparedImport> prepareImport(const ImportInput& input, Progress& progress);
 
 /// The texels to come of every face that the image reaches. Fails as `bake` does.
 Result<TexelPatch> importImage(const ImportInput& input, Progress& progress);

@@ -101,7 +101,7 @@ void PreviewMaker::choosePass()
 Result<std::shared_ptr<const PreviewPicture>> PreviewMaker::next(Progress& progress)
 {
     if (!m_prepared) {
-        auto prepared = prepareImport(m_input);
+        auto prepared = prepareImport(m_input, progress);
         if (!prepared) {
             m_isDone = true;
             return tl::unexpected(prepared.error());

@@ -275,6 +275,17 @@ private slots:
         QVERIFY(picture() == fitted);
     }
 
+    void texelsThatOthersShowAreNotSaidToBeFitted()
+    {
+        plan();
+        choice("Show the fitted texels")->click();
+        QVERIFY(choice("Show the fitted texels")->isChecked());
+        m_window->viewport().showOtherTexels(document().texels()); // as an import's preview does
+        QVERIFY(!choice("Show the fitted texels")->isChecked());
+        m_window->viewport().showOtherTexels(std::nullopt);
+        QVERIFY(choice("Show the texels as they are")->isChecked());
+    }
+
     void paintingShowsTheDocumentsOwnTexelsAgain()
     {
         plan();
