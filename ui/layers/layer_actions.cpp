@@ -155,7 +155,7 @@ QLabel* LayerActions::makeLabel()
             name = name.left(kLongest) + "…";
         }
         const bool isHidden = active != kBaseLayer && !layers.settings(active).isVisible;
-        label->setText(isHidden ? tr("On %1 (hidden)").arg(name) : tr("On %1").arg(name));
+        label->setText(isHidden ? tr("On %1 (hidden) ·").arg(name) : tr("On %1 ·").arg(name));
         label->setVisible(!layers.isPlain());
     };
     connect(&m_commands, &LayerCommands::changed, label, show);

@@ -248,7 +248,7 @@ private slots:
         QVERIFY(!widgetNamed<QPushButton>(dock(), "Show the active layer"));
         clickEye("Layer 1");
         QVERIFY(note().contains("Layer 1 is hidden"));
-        QCOMPARE(label(), "On Layer 1 (hidden)");
+        QCOMPARE(label(), "On Layer 1 (hidden) ·");
         QTest::mouseClick(widgetNamed<QPushButton>(dock(), "Show the active layer"),
                           Qt::LeftButton);
         QVERIFY(isVisible("Layer 1"));
@@ -406,7 +406,7 @@ private slots:
         QCOMPARE(current(), "Base");
         press(Qt::Key_BracketRight, Qt::AltModifier);
         QCOMPARE(current(), "Layer 1");
-        QCOMPARE(label(), "On Layer 1");
+        QCOMPARE(label(), "On Layer 1 ·");
     }
 
     void aCopyLiesAboveAndHoldsTheSame()
