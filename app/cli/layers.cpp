@@ -142,6 +142,10 @@ Result<LayerStack> edited(LayerStack layers, const Arguments& arguments, Progres
         if (!layers.settings(*layer).isVisible) {
             return contentsError("--merge: the layer is hidden");
         }
+        const std::size_t place = *layers.indexOf(*layer);
+        if (place > 0 && !layers.layers()[place - 1].settings.isVisible) {
+            return contentsError("--merge: the layer below is hidden, the paint would be, too");
+        }
         return mergedDown(std::move(layers), *layer, Threads::all(), progress);
     }
     return overlay("--layer", arguments.layer.value_or(""), layers)

@@ -266,6 +266,13 @@ TEST_F(CliLayers, editsThatCannotBeAreRefused)
     EXPECT_THAT(files(), Not(testing::Contains("no.trixel")));
 }
 
+TEST_F(CliLayers, paintIsNotMergedOntoAHiddenLayer)
+{
+    const std::string over = edited(layered(), "over.trixel", {"--add", "Over"}); // "Shade"
+    EXPECT_THAT(runTrixel({"layers", over, "--merge", "Over", "-o", path("no.trixel")}),
+                FailsWith(2, "--merge: the layer below is hidden"));
+}
+
 TEST_F(CliLayers, aPictureBecomesALayerOfItsOwn)
 {
     const std::string from = layered();
