@@ -68,7 +68,8 @@ TEST(FaceViews, whatNoViewSeesNeedsNothingOrCountsByItsDistance)
 
     ViewCamera away = kNear; // looks past it
     away.target = {4, 0, 4};
-    const FaceViews turned = viewsOf(*sphere.surface, {{away}, {}}, UnseenFaces::ByDistance);
+    const SceneViews past{{away}, {}};
+    const FaceViews turned = viewsOf(*sphere.surface, past, UnseenFaces::ByDistance);
     const glm::dvec3 front = middleOf(*sphere.surface, sphere.front);
     ViewCamera straight = away;
     straight.target = front;
