@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/style.h"
 
+#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
+#include <QTabBar>
 
 namespace trixel::ui {
 
@@ -19,6 +21,15 @@ QColor halfway(const QColor& a, const QColor& b)
 Style::Style()
     : QProxyStyle("Fusion")
 {
+}
+
+void Style::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    auto* tabs = qobject_cast<QTabBar*>(widget);
+    if (tabs != nullptr && qobject_cast<QMainWindow*>(tabs->parentWidget()) != nullptr) {
+        tabs->setElideMode(Qt::ElideNone); // the window asks for ElideRight when it makes them
+    }
 }
 
 void Style::drawPrimitive(PrimitiveElement element,

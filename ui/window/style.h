@@ -6,7 +6,8 @@
 namespace trixel::ui {
 
 /// Fusion with two repairs for dark windows: boxes and circles to tick have an outline that can be
-/// seen, and tool bars no bright rims; and without the stock icons on dialog buttons.
+/// seen, and tool bars no bright rims; and without the stock icons on dialog buttons. Panels that
+/// share a place keep their names: tabs that find no room scroll instead of being cut.
 class Style : public QProxyStyle
 {
     Q_OBJECT
@@ -14,6 +15,8 @@ class Style : public QProxyStyle
 public:
     Style();
 
+    using QProxyStyle::polish;
+    void polish(QWidget* widget) override;
     void drawPrimitive(PrimitiveElement element,
                        const QStyleOption* option,
                        QPainter* painter,

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QDockWidget>
 #include <QImage>
+#include <QMainWindow>
 #include <QPainter>
+#include <QTabBar>
 #include <QTest>
 
 #include "tests/ui/fixtures.h"
@@ -91,6 +94,31 @@ private slots:
                     QCOMPARE(strongest(image).rgb(), text.rgb());
                 }
             }
+        }
+    }
+
+    void panelsThatShareAPlaceKeepTheirWholeNames()
+    {
+        applyTheme(Theme::Dark);
+        QMainWindow window;
+        QDockWidget* first = nullptr;
+        for (const char* name :
+             {"Texel", "Layers", "History", "Seams", "Difference", "Footprint"}) {
+            auto* dock = new QDockWidget(name);
+            window.addDockWidget(Qt::RightDockWidgetArea, dock);
+            if (first != nullptr) {
+                window.tabifyDockWidget(first, dock);
+            }
+            first = dock;
+        }
+        window.resize(200, 200);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const auto* tabs = window.findChild<QTabBar*>();
+        QVERIFY(tabs != nullptr && tabs->count() == 6);
+        for (int k = 0; k < tabs->count(); ++k) {
+            QVERIFY(tabs->tabRect(k).width() >
+                    tabs->fontMetrics().horizontalAdvance(tabs->tabText(k)));
         }
     }
 
