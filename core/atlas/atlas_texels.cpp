@@ -4,6 +4,7 @@
 #include "core/atlas/unfolded_place.h"
 #include "core/mesh/face_pieces.h"
 #include "core/texture/mips.h"
+#include "core/texture/opacity.h"
 
 #include <algorithm>
 #include <cstring>
@@ -20,6 +21,13 @@ void repeat(std::span<const std::byte> texel, std::size_t count, std::byte* targ
     for (std::size_t k = 0; k < count; ++k) {
         std::memcpy(target + k * texel.size(), texel.data(), texel.size());
     }
+}
+
+FaceTexels coarser(const TexelFormat& format, const FaceTexels& face)
+{
+    return format.alpha
+               ? unweighed(reduced(weighedFormat(format), weighed(face.pinned(), format)), format)
+               : reduced(format, face);
 }
 
 } // namespace
@@ -87,7 +95,7 @@ Status AtlasTexels::coarsen(Threads threads, Progress& progress)
     const Status done = forWholeFaces(m_faces.size(), cost, threads, progress, [&](FaceId face) {
         FaceTexels& texels = m_faces[indexOf(face)];
         if (texels.level() == m_level) {
-            texels = reduced(m_format, texels);
+            texels = coarser(m_format, texels);
         }
     });
     if (done) {

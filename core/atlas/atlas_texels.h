@@ -35,7 +35,8 @@ public:
     Level level() const { return m_level; }
     const TexelFormat& format() const { return m_format; }
 
-    /// Goes to the next coarser level, reducing as `reduced` does. \pre level() > 0 (checked)
+    /// Goes to the next coarser level, reducing as `reduced` does, where one channel is opacity
+    /// with values that are weighed by it. \pre level() > 0 (checked)
     void coarsen(Threads threads);
     /// The same for long work. Fails when cancelled and when memory runs out; some faces are
     /// reduced then, others not.

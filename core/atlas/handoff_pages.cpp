@@ -2,6 +2,7 @@
 #include "core/atlas/handoff_pages.h"
 
 #include "core/atlas/handoff_sample_points.h"
+#include "core/atlas/handoff_sampler.h"
 #include "core/atlas/unfolded_place.h"
 #include "core/lattice/edge_transfer.h"
 #include "core/mesh/face_pieces.h"
@@ -26,7 +27,7 @@ public:
                    const HandOffColors& colors)
         : m_layout(layout)
         , m_scene(scene)
-        , m_method(method)
+        , m_sampler(scene, method, format)
         , m_format(format)
         , m_colors(colors)
         , m_owners(layout, scene.surface())
@@ -55,8 +56,7 @@ public:
                 queries.add(face, uv, glm::vec2(0), glm::vec2(0));
             }
         }
-        ResultArrays answers(samples.size(), m_scene.channels());
-        m_method.filter(m_scene, queries.queries(), answers.results());
+        const ResultArrays answers = m_sampler.sampled(queries);
         std::vector<float> pixel(m_format.channels);
         for (std::size_t k = 0; k < samples.size(); ++k) {
             for (std::size_t c = 0; c < pixel.size(); ++c) {
@@ -259,7 +259,7 @@ private:
 
     HandOffLayout& m_layout;
     const FilterScene& m_scene;
-    const FilterMethod& m_method;
+    HandOffSampler m_sampler;
     TexelFormat m_format;
     const HandOffColors& m_colors;
     HandOffOwners m_owners;

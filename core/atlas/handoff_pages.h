@@ -43,7 +43,8 @@ struct HandOffColors
 
 /// Samples every face, and turns each so that its diagonal goes on straight within what the type
 /// can hold, if it can.
-/// \param scene   of the faces of the layout (checked)
+/// \param scene   of the faces of the layout (checked), weighed where the format has an opacity
+///                (opacity.h)
 /// \param method  what a sample is: its value where the footprint is a point
 /// \param format  of the pixels; as many channels as the scene has (checked)
 /// \param colors  what they mean; one for each channel (checked)

@@ -53,6 +53,7 @@ public:
         const auto width = static_cast<std::size_t>(m_image.width());
         m_sums.assign(static_cast<std::size_t>(m_half.width()) * m_channels, 0.0F);
         m_weights.assign(static_cast<std::size_t>(m_half.width()), 0.0F);
+        m_means.assign(m_image.format().alpha ? m_sums.size() : 0, 0.0F);
         m_row.resize(width * m_channels);
         const Covered rows = coveredBy(y, m_image.height(), m_half.height());
         for (int r = 0; r < rows.count; ++r) {
@@ -90,6 +91,9 @@ private:
                 for (std::size_t c = 0; c < m_channels; ++c) {
                     sum[c] += alpha == c ? weight * pixel[c] : weight * opacity * pixel[c];
                 }
+                for (std::size_t c = 0; c < m_channels && alpha; ++c) {
+                    m_means[static_cast<std::size_t>(x) * m_channels + c] += weight * pixel[c];
+                }
             }
         }
     }
@@ -101,7 +105,8 @@ private:
             const std::size_t c = k % m_channels;
             const float weight = m_weights[k / m_channels];
             if (alpha && alpha != c) {
-                m_sums[k] = weight > 0 ? m_sums[k] / weight : 0.0F;
+                // Where nothing is seen, colours are for programs that look them up on their own.
+                m_sums[k] = weight > 0 ? m_sums[k] / weight : m_means[k];
             }
             m_sums[k] = fromLinear(m_image.colors()[c], m_sums[k]);
         }
@@ -112,6 +117,7 @@ private:
     const Image& m_half;
     std::size_t m_channels;
     std::vector<float> m_row, m_sums, m_weights;
+    std::vector<float> m_means; ///< as if all was opaque; empty where there is no opacity
 };
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "core/io/image/write_image.h"
 #include "core/io/staged_files.h"
 #include "core/resample/uv_image.h"
+#include "core/texture/opacity.h"
 
 #include <memory>
 #include <string>
@@ -126,7 +127,7 @@ private:
     bool m_levels;
 };
 
-/// The texels as light, ready to be filtered.
+/// The texels as light, weighed by their opacity: ready to be filtered.
 Result<FilterScene> sceneOf(const Project& project,
                             const std::vector<ColorSpace>& imageColors,
                             Threads threads,
@@ -139,10 +140,15 @@ Result<FilterScene> sceneOf(const Project& project,
     if (!texels) {
         return tl::unexpected(texels.error());
     }
-    StageProgress building(progress, 0.35, 1);
+    StageProgress weighing(progress, 0.35, 0.5);
+    const auto filterable = weighed(*texels, threads, weighing);
+    if (!filterable) {
+        return tl::unexpected(filterable.error());
+    }
+    StageProgress building(progress, 0.5, 1);
     return FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
                                   project.surface->mesh(), project.surface->adjacency())),
-                              *texels,
+                              *filterable,
                               threads,
                               building);
 }

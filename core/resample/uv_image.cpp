@@ -8,6 +8,7 @@
 #include "core/mesh/triangle_geometry.h"
 #include "core/resample/fill_holes.h"
 #include "core/resample/uv_raster.h"
+#include "core/texture/opacity.h"
 
 #include <algorithm>
 #include <array>
@@ -205,6 +206,30 @@ std::uint32_t countLost(const TriangleMesh& mesh, const UvRaster& raster, UdimTi
     return lost;
 }
 
+/// From weighed pixels to those that are stored. What nothing shows takes the colours about it:
+/// they are looked up on their own, and must not be mixed with what was never there.
+Status spreadColors(std::span<float> values,
+                    const TexelFormat& format,
+                    const UvImageOptions& options,
+                    Progress& progress)
+{
+    const std::size_t channels = format.channels;
+    std::vector<float> opacities(values.size() / channels);
+    std::vector<std::uint8_t> shows(opacities.size());
+    for (std::size_t k = 0; k < opacities.size(); ++k) {
+        const auto pixel = values.subspan(k * channels, channels);
+        unweigh(pixel, *format.alpha);
+        opacities[k] = pixel[*format.alpha];
+        shows[k] = opacities[k] > 0 ? 1 : 0;
+    }
+    Status filled = fillHoles(
+        values, shows, options.width, options.height, format.channels, options.threads, progress);
+    for (std::size_t k = 0; k < opacities.size(); ++k) {
+        values[k * channels + *format.alpha] = opacities[k];
+    }
+    return filled;
+}
+
 Result<Image> encodedImage(std::span<float> values,
                            const TexelFormat& format,
                            const UvImageOptions& options,
@@ -337,9 +362,13 @@ Result<UvImage> makeUvImage(const FilterScene& scene,
     made.gutterPixels =
         static_cast<std::uint64_t>(std::count(known.begin(), known.end(), std::uint8_t{1})) -
         made.insidePixels;
-    StageProgress filling(progress, 0.85, 0.95);
-    const Status filled = fillHoles(
+    StageProgress filling(progress, 0.85, format.alpha ? 0.9 : 0.95);
+    Status filled = fillHoles(
         values, known, options.width, options.height, format.channels, options.threads, filling);
+    if (filled && format.alpha) {
+        StageProgress spreading(progress, 0.9, 0.95);
+        filled = spreadColors(values, format, options, spreading);
+    }
     if (!filled) {
         return tl::unexpected(filled.error());
     }

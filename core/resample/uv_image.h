@@ -54,11 +54,12 @@ Result<TexelStore> linearStore(const TexelStore& store,
 
 /// Draws the image. Each pixel is what its footprint on the surface averages: between texels where
 /// it is smaller than two of them, else a Gaussian over them. What neither lies in uvs nor in the
-/// gutter goes over smoothly into what does, so that coarser levels mix in nothing foreign.
+/// gutter goes over smoothly into what does, so that coarser levels mix in nothing foreign; so do
+/// the colours of what no opacity shows, for programs that look up colours on their own.
 /// Fails when cancelled; when the mesh has no uvs; and when the image is too small, so that no face
 /// holds a pixel's centre.
-/// \param scene   of the mesh's faces (checked)
-/// \param format  of the scene's texels: which channel is opacity
+/// \param scene   of the mesh's faces (checked), weighed where the format has an opacity
+/// (opacity.h) \param format  of the scene's texels: which channel is opacity
 Result<UvImage> makeUvImage(const FilterScene& scene,
                             const TriangleMesh& mesh,
                             const TexelFormat& format,

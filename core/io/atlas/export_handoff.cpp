@@ -3,6 +3,7 @@
 #include "core/base/read_file.h"
 #include "core/io/atlas/export_files.h"
 #include "core/io/mesh/uv_mesh.h"
+#include "core/texture/opacity.h"
 
 #include <algorithm>
 #include <utility>
@@ -100,9 +101,13 @@ Result<std::vector<Image>> drawPages(const Project& project,
                                      const HandOffExportOptions& options,
                                      Progress& progress)
 {
-    StageProgress preparing(progress, 0, 0.2);
-    const auto scene =
-        FilterScene::build(plan.surface, project.texels, options.image.threads, preparing);
+    StageProgress weighing(progress, 0, 0.1);
+    const auto texels = weighed(project.texels, options.image.threads, weighing);
+    if (!texels) {
+        return tl::unexpected(texels.error());
+    }
+    StageProgress preparing(progress, 0.1, 0.2);
+    const auto scene = FilterScene::build(plan.surface, *texels, options.image.threads, preparing);
     if (!scene) {
         return tl::unexpected(scene.error());
     }

@@ -77,6 +77,21 @@ struct Tile
     }
 };
 
+TEST(AtlasTexels, whatIsTransparentLendsCoarserLevelsNoColor)
+{
+    const TriangleMesh mesh = turnedGrid(1, 1);
+    const TexelFormat format{TexelType::Float, 2, 1};
+    TexelStore store(format, FaceMap<Level>(2, Level(1)), std::vector<std::byte>(8));
+    const std::array<float, 8> values = {0.75F, 1, 9, 0, 0.25F, 1, 9, 0};
+    std::ranges::copy(std::as_bytes(std::span(values)), store.writable(faceId(0)).begin());
+    AtlasTexels texels(store, buildAdjacency(mesh.triangles));
+    texels.coarsen(Threads{1});
+    const Tile tile(texels, faceId(0), Level(), AtlasBorder::None);
+    std::array<float, 2> mean{};
+    decode(TexelType::Float, tile.at({0, 0}), mean);
+    EXPECT_EQ(mean, (std::array{0.5F, 0.5F}));
+}
+
 TEST(AtlasTexels, everyTexelOfEveryLevelIsThereToTheBit)
 {
     const TriangleMesh mesh = turnedGrid(3, 1);

@@ -81,6 +81,18 @@ TEST(ImageLevelsTest, whatIsTransparentLendsNoColor)
     EXPECT_FLOAT_EQ(values[3], 0.5F);
 }
 
+/// They are there for programs that look up colours on their own.
+TEST(ImageLevelsTest, hiddenColorsHaveAMeanWhereNothingIsSeen)
+{
+    const Image half =
+        halved(floatImage(2, 1, {0.8F, 0.2F, 0.0F, 0.0F, 0.4F, 0.2F, 1.0F, 0.0F}, 4), Threads{1});
+    const auto values = valuesOf(half);
+    EXPECT_FLOAT_EQ(values[0], 0.6F);
+    EXPECT_FLOAT_EQ(values[1], 0.2F);
+    EXPECT_FLOAT_EQ(values[2], 0.5F);
+    EXPECT_EQ(values[3], 0.0F);
+}
+
 TEST(ImageLevelsTest, threadsDoNotChangeTheResult)
 {
     std::vector<float> values(61 * 47);
