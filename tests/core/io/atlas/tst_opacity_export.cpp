@@ -128,8 +128,8 @@ struct Received
     bool isMultiplied = false;
 };
 
-/// Over the background, channel by channel.
-std::array<double, 3> seen(const Received& received, FaceId face, glm::dvec2 uv)
+/// As it is looked up.
+std::array<float, kChannels> lookUp(const Received& received, FaceId face, glm::dvec2 uv)
 {
     const auto corners = received.mesh.uvs(face);
     const glm::dvec2 at = glm::dvec2(corners[0]) + uv.x * glm::dvec2(corners[1] - corners[0]) +
@@ -138,6 +138,13 @@ std::array<double, 3> seen(const Received& received, FaceId face, glm::dvec2 uv)
     bilinear(received.image,
              {at.x * received.image.width(), (1 - at.y) * received.image.height()},
              value);
+    return value;
+}
+
+/// Over the background, channel by channel.
+std::array<double, 3> seen(const Received& received, FaceId face, glm::dvec2 uv)
+{
+    const auto value = lookUp(received, face, uv);
     std::array<double, 3> over{};
     const double opacity = double(value[3]);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -325,6 +332,22 @@ TEST_F(OpacityExport, whitePaintCannotBeSeenOnWhite)
             }
             EXPECT_GE(255 * darkest, 254.9);
         }
+    }
+}
+
+/// So that levels that a program makes on its own have no fringe either.
+TEST_F(OpacityExport, colorsGoOnBeneathWhatIsTransparent)
+{
+    const Project layer = alone(declared(whitePaint(bentGrid()), ColorSpace::SRgb));
+    for (const Received& received : {handOff(layer), uvImage(layer, "a.png")}) {
+        const QueryArrays places = anyPlaces(layer.texels.faceCount());
+        std::size_t transparent = 0;
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto value = lookUp(received, places.face[k], {places.u[k], places.v[k]});
+            EXPECT_NEAR(value[0] + value[1] + value[2], 3, 1e-5);
+            transparent += value[3] == 0 ? 1 : 0;
+        }
+        EXPECT_GT(transparent, 1000U);
     }
 }
 
