@@ -11,7 +11,9 @@ uniform float probeSupport; // in sigmas of the weights
 uniform float probeThinnest;
 uniform int probesAside; // at most, of one side
 
-const int kMostHops = 24;
+// A guard against rounding, not a measure of work: most ways end after a few faces. A way that it cuts
+// short ends a face earlier on one side of an edge than on the other, where both should agree.
+const int kMostHops = 64;
 // Where the sum over places of texels gives way to probes: about how many faces it reaches, and how
 // much longer than wide the footprint is.
 const vec2 kFewFaces = vec2(11.5, 15.0);

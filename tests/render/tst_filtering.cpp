@@ -225,10 +225,7 @@ private slots:
             qInfo() << nameOf(filtering) << "largest jump of" << m_crossed << "pixels by edges"
                     << largest << "of 255; by faces seen from their edge" << 255 * m_steep;
             QVERIFY(m_crossed >= 100);
-            // The bunny's faces are less than pixels in places, where sums give way to probes by
-            // face.
-            const bool mayDiffer = scene >= 3 && filtering == Filtering::Anisotropic;
-            QVERIFY2(largest <= (mayDiffer ? 2 : 1), qPrintable(QString::number(largest)));
+            QVERIFY2(largest <= 1, qPrintable(QString::number(largest)));
         }
     }
 
