@@ -3,13 +3,18 @@
 // The window's thread while texels stream: its part of a frame while the camera orbits, from a
 // stroke's sample to the card, and the plan that other threads make. Needs a display with OpenGL;
 // see README.md for how to run it.
-#include <QGuiApplication>
+#include <QApplication>
+#include <QMouseEvent>
 #include <QThread>
 
 #include "tests/bench/sheet_project.h"
 #include "tests/render/offscreen.h"
 #include "ui/document/document.h"
 #include "ui/viewport/card_streaming.h"
+#include "ui/viewport/limit_view.h"
+#include "ui/viewport/seen_surface.h"
+#include "ui/viewport/view_settings.h"
+#include "ui/viewport/viewport.h"
 
 #include <benchmark/benchmark.h>
 
@@ -17,6 +22,7 @@
 #include <array>
 #include <chrono>
 #include <ctime>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -89,12 +95,12 @@ struct View
     }
 
     /// Shows vertices from now on. \return  milliseconds until the mesh is ready for that
-    double filter(const Project& project)
+    double filter(const Project& project, const LimitTessellation* limit = nullptr)
     {
         const auto before = std::chrono::steady_clock::now();
         scene.surface.filtering = render::Filtering::Seamless;
         auto mesh = std::make_shared<const render::FilterMesh>(
-            project.surface->mesh(), project.surface->adjacency(), project.texels);
+            project.surface->mesh(), project.surface->adjacency(), project.texels, limit);
         const std::chrono::duration<double, std::milli> taken =
             std::chrono::steady_clock::now() - before;
         renderer->wantFilterings(std::array{render::Filtering::Seamless});
@@ -191,8 +197,21 @@ void switching(benchmark::State& state)
 BENCHMARK(switching)->ArgName("close")->Arg(0)->Arg(1)->Iterations(2)->UseManualTime()->Unit(
     benchmark::kMillisecond);
 
+/// The limit surface as a view shows it to its camera.
+void showLimit(LimitView& limit, View& view, const Document& document)
+{
+    limit.setSurface(document.surface(), document.creaseAngle());
+    limit.want(view.scene.camera, 0.5);
+    limit.finish();
+    view.renderer->limit().set(limit.tessellation());
+    view.renderer->limit().send(std::numeric_limits<std::size_t>::max());
+    view.scene.surface.limit = true;
+}
+
 /// From a sample of the pointer to its texels on the card: ray, dabs, document, what is sent.
 /// Drawing the frame is left out: here it is the processor's work too.
+/// \param state  cells along the sheet, whether frames are drawn, whether the limit surface is
+///               shown and painted on, whether vertices are shown
 void stroke(benchmark::State& state)
 {
     const int side = static_cast<int>(state.range(0));
@@ -205,11 +224,19 @@ void stroke(benchmark::State& state)
     });
     // As many faces on the screen whatever the mesh: about thirty across.
     view.scene.camera.zoom(30.0 / side);
+    LimitView limit;
+    if (state.range(2) != 0) {
+        showLimit(limit, view, document);
+    }
+    if (state.range(3) != 0) {
+        view.filter(sheet(side), limit.solid() ? &limit.solid()->tessellation() : nullptr);
+    }
     view.streaming.finish(*view.renderer, view.scene.camera, document.texels(), render::Side::A);
     Brush brush;
     brush.radius = 3.0F / static_cast<float>(side);
     brush.color = {0.9F, 0.3F, 0.2F, 1};
-    document.beginStroke(brush);
+    document.beginStroke(brush, StrokePace::AtOnce, limit.solid());
+    const SeenSurface seen(*document.surface(), limit.mesh().get());
     Times times;
     double angle = 0;
     for (auto _ : state) {
@@ -217,8 +244,7 @@ void stroke(benchmark::State& state)
         const glm::dvec2 at(320 + 150 * std::cos(angle), 200 + 120 * std::sin(1.3 * angle));
         times.take(state, [&] {
             const PixelRay ray = view.scene.camera.pixelRay(at);
-            const auto hit = document.surface()->bvh().raycast(
-                {glm::vec3(ray.origin), glm::vec3(ray.direction)});
+            const auto hit = seen.raycast({glm::vec3(ray.origin), glm::vec3(ray.direction)});
             if (hit) {
                 document.extendStroke({hit->face, hit->uv, 1, angle});
             }
@@ -233,11 +259,53 @@ void stroke(benchmark::State& state)
     times.tell(state);
 }
 BENCHMARK(stroke)
-    ->ArgNames({"side", "draws"})
-    ->Args({71, 0})
-    ->Args({707, 0})
-    ->Args({71, 1})
-    ->Args({707, 1})
+    ->ArgNames({"side", "draws", "limit", "vertices"})
+    ->ArgsProduct({{71, 707}, {0, 1}, {0, 1}, {0, 1}})
+    ->Iterations(300)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// What a move of the pointer asks of the view while it paints, all but the frame.
+/// \param state  cells along the sheet, whether the limit surface is shown
+void strokeEvents(benchmark::State& state)
+{
+    const int side = static_cast<int>(state.range(0));
+    Document document;
+    ViewSettings settings;
+    Brush brush;
+    brush.radius = 3.0F / static_cast<float>(side);
+    settings.setBrush(brush);
+    ViewOptions options;
+    options.limitSurface = state.range(1) != 0;
+    settings.setView(options);
+    Viewport view(document, settings);
+    view.resize(640, 400);
+    view.show();
+    document.open(sheet(side), {}, {});
+    view.lookFrom(0, 0, side / 30.0);
+    view.settle();
+    const auto send = [&view](QEvent::Type type, QPointF at) {
+        const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+        QMouseEvent event(type, at, view.mapToGlobal(at), button, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view, &event);
+    };
+    send(QEvent::MouseButtonPress, {320, 200});
+    Times times;
+    double angle = 0;
+    for (auto _ : state) {
+        angle += 0.05;
+        const QPointF at(320 + 150 * std::cos(angle), 200 + 120 * std::sin(1.3 * angle));
+        times.take(state, [&] { send(QEvent::MouseMove, at); });
+    }
+    send(QEvent::MouseButtonRelease, {320, 200});
+    times.tell(state);
+    if (!document.undoStack().canUndo()) {
+        state.SkipWithError("nothing was painted");
+    }
+}
+BENCHMARK(strokeEvents)
+    ->ArgNames({"side", "limit"})
+    ->ArgsProduct({{71, 707}, {0, 1}})
     ->Iterations(300)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
@@ -268,7 +336,7 @@ BENCHMARK(plan)->ArgName("whole")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)
 
 int main(int argc, char** argv)
 {
-    const QGuiApplication application(argc, argv);
+    const QApplication application(argc, argv);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
