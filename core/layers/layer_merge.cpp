@@ -37,8 +37,9 @@ void merge(std::span<const float> upper,
     const float both = over + under * (1.0F - over);
     const float part = over > 0.0F ? over / both : 0.0F;
     for (std::size_t c = 0; c < last && over > 0.0F; ++c) {
-        // Blended as far as there is something to blend with.
-        const float mixed = upper[c] + under * (blended<kBlend>(lower[c], upper[c]) - upper[c]);
+        // Blended as far as there is something to blend with, which what is uncovered is not.
+        const float met = under > 0.0F ? blended<kBlend>(lower[c], upper[c]) : upper[c];
+        const float mixed = upper[c] + under * (met - upper[c]);
         lower[c] = part < 1.0F ? lower[c] + part * (mixed - lower[c]) : mixed;
     }
     lower[last] = both;

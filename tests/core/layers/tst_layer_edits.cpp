@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace trixel;
 using namespace trixel::test;
 
@@ -114,6 +116,27 @@ TEST(MergedDown, ontoALayerThatCoversAllLooksAsBeforeInEveryBlendMode)
             lower.exchange(face, FaceTexels::constant(lower.face(face).level(), red));
         }
         expectLooksAlike(stack, merged(stack, idAt(stack, 1)), 1);
+    }
+}
+
+TEST(MergedDown, whateverLiesUncoveredBelowLendsNothing)
+{
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const TexelFormat format = formatOf(TexelType::Float, 1);
+    for (const LayerBlend blend : kLayerBlends) {
+        for (const float below : {kInfinity, -kInfinity, std::nanf("")}) {
+            LayerStack stack(TexelStore(1, format, Level(0), encoded(format.type, {{0.25F}})));
+            const LayerId lower = stack.insert(0, {});
+            const LayerId upper = stack.insert(1, {"", 1, blend, true});
+            const auto hold = [&](LayerId layer, std::array<float, 2> texel) {
+                const auto bytes = encoded(format.type, texel);
+                stack.texels(layer).exchange(faceId(0), FaceTexels::constant(Level(0), bytes));
+            };
+            hold(lower, {below, 0});
+            hold(upper, {0.5F, 0.75F});
+            const auto after = decodedTexel(merged(stack, upper).texels(lower), faceId(0), 0);
+            EXPECT_EQ(after, (std::vector{0.5F, 0.75F})) << nameOf(blend) << ", " << below;
+        }
     }
 }
 
