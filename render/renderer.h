@@ -41,7 +41,8 @@ public:
 
     /// The mesh to draw; texels of the one before are forgotten.
     Status setMesh(const TriangleMesh& mesh);
-    void setNormals(std::span<const std::uint32_t> normals) { m_surface->setNormals(normals); }
+    /// See `SurfacePass::setCorners`.
+    void setCorners(const SharedCorners& corners) { m_surface->setCorners(corners); }
     /// See `SurfacePass::setFaceColors`.
     void setFaceColors(std::span<const std::uint32_t> colors) { m_surface->setFaceColors(colors); }
     /// The limit surface that `SurfaceStyle::limit` shows; sent by `LimitBuffers::send`.

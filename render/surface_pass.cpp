@@ -149,9 +149,9 @@ Result<std::unique_ptr<SurfacePass>> SurfacePass::create(Gl& gl)
 SurfacePass::SurfacePass(Gl& gl)
     : m_gl(gl)
     , m_limit(gl)
+    , m_corners(gl)
     , m_positions(gl, GL_RGB32F, sizeof(glm::vec3))
     , m_triangles(gl, GL_RGB32UI, sizeof(Triangle))
-    , m_normals(gl, GL_R32UI, sizeof(std::uint32_t))
     , m_faceColors(gl, GL_RGBA8, sizeof(std::uint32_t))
     , m_scale(gl, GL_RGBA8, sizeof(Rgba))
     , m_scales(gl, GL_RGBA32UI, sizeof(VertexScale))
@@ -180,7 +180,6 @@ Status SurfacePass::makeProgram(std::size_t variant, Drawn drawn)
     program.bind();
     program.setUniformValue("positions", 0);
     program.setUniformValue("triangles", 1);
-    program.setUniformValue("normals", 2);
     program.setUniformValue("records", 3);
     program.setUniformValue("texels", 4);
     program.setUniformValue("faceColors", 5);
@@ -230,7 +229,7 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
     m_faceCount = 0;
     setFilterMesh(nullptr);
     m_limit.set(nullptr);
-    m_normals.fill({});
+    m_corners.set({});
     m_faceColors.fill({});
     const std::size_t most = TextureBuffer::maxElements(m_gl);
     if (mesh.positions.size() > most || 3 * mesh.faceCount() > most) {
@@ -244,10 +243,10 @@ Status SurfacePass::setMesh(const TriangleMesh& mesh)
     return {};
 }
 
-void SurfacePass::setNormals(std::span<const std::uint32_t> normals)
+void SurfacePass::setCorners(const SharedCorners& corners)
 {
-    check(normals.size() == 3 * m_faceCount, "three normals a face");
-    m_normals.fill(std::as_bytes(normals));
+    check(corners.faces.empty() || corners.faces.size() == m_faceCount, "corners of the mesh");
+    m_corners.set(corners);
 }
 
 void SurfacePass::setFaceColors(std::span<const std::uint32_t> colors)
@@ -351,7 +350,6 @@ void SurfacePass::draw(const Camera& camera,
     }
     m_positions.bind(0);
     m_triangles.bind(1);
-    m_normals.bind(2);
     if (atlas != nullptr) {
         atlas->bind(3, 11);
     } else {
@@ -369,7 +367,8 @@ void SurfacePass::draw(const Camera& camera,
     }
     program.setUniformValue("view", toQt(camera.view()));
     program.setUniformValue("projection", toQt(camera.projection()));
-    program.setUniformValue("hasNormals", isLimit || m_normals.size() > 0);
+    program.setUniformValue("hasNormals", isLimit || m_corners.areShared());
+    program.setUniformValue("areShared", m_corners.areShared());
     program.setUniformValue("lineWidth", style.pixelRatio);
 
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -380,7 +379,7 @@ void SurfacePass::draw(const Camera& camera,
     if (isLimit) {
         m_limit.draw();
     } else {
-        m_gl.glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * m_faceCount));
+        m_corners.draw(m_faceCount);
     }
     program.release();
 }

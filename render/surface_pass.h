@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/mesh/triangle_mesh.h"
 #include "render/camera.h"
+#include "render/corner_buffers.h"
 #include "render/filter_mesh.h"
 #include "render/filtering.h"
 #include "render/gl.h"
@@ -45,17 +46,17 @@ struct CardLook
     CardChannels channels{0, 1, 2, -1}; ///< that the four on the card hold
 };
 
-/// Draws a mesh with texels, in one call. Memory on the card: 12 bytes a mesh vertex and 24 a face
-/// (three vertex numbers, three packed normals), and what `SurfaceTexels` takes.
+/// Draws a mesh with texels, in one call. Memory on the card: 12 bytes a mesh vertex and 12 a face,
+/// what `CornerBuffers` takes (about 24 a face where it is smooth), and what `SurfaceTexels` takes.
 class SurfacePass
 {
 public:
     static Result<std::unique_ptr<SurfacePass>> create(Gl& gl);
 
-    /// Fails where the mesh is larger than texture buffers may be here. Normals are forgotten.
+    /// Fails where the mesh is larger than texture buffers may be here. Corners are forgotten.
     Status setMesh(const TriangleMesh& mesh);
-    /// Three a face, see `cornerNormals`; until they come faces look flat.
-    void setNormals(std::span<const std::uint32_t> normals);
+    /// Of the mesh (checked), with its normals; until they come faces look flat and take longer.
+    void setCorners(const SharedCorners& corners);
 
     /// What `SurfaceStyle::faceColors` shows: R G B A a face, or three a face, one at each corner
     /// and blended between them (checked); or nothing.
@@ -103,9 +104,9 @@ private:
     /// One a way of drawing, made when first used, by `Drawn`.
     std::array<std::array<Program, kVariants>, 3> m_programs;
     LimitBuffers m_limit;
+    CornerBuffers m_corners;
     TextureBuffer m_positions;
     TextureBuffer m_triangles;
-    TextureBuffer m_normals;
     TextureBuffer m_faceColors;
     int m_colorsPerFace = 1; ///< or 3
     TextureBuffer m_scale;   ///< the colours of `mapColor`

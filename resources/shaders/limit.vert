@@ -12,11 +12,12 @@ uniform usamplerBuffer records; // a face: first texel, level and flags
 uniform mat4 view;
 uniform mat4 projection;
 
-out vec2 uv;
+out vec2 place;
 out vec3 viewPosition;
 out vec3 viewNormal;
 flat out uvec2 record;
 flat out int faceNumber;
+flat out int labels;
 #if FILTERING >= 3
 uniform usamplerBuffer triangles; // three mesh vertices a face
 uniform usamplerBuffer scales;    // a mesh vertex: `VertexScale` in render/filter_mesh.h
@@ -39,14 +40,15 @@ void main()
     vec4 seen = view * vec4(position, 1.0);
     int face = int(ofFace);
     faceNumber = face;
-    uv = faceUv;
+    place = faceUv;
+    labels = 1 | 2 << 2;
     record = texelFetch(records, face).xy;
     viewPosition = seen.xyz;
     viewNormal = mat3(view) * unpackNormal(normal);
 #if FILTERING >= 3
     // What whole faces have at their corners, as it is between these; but the surface's own tilt.
     uvec3 corners = texelFetch(triangles, face).xyz;
-    vec3 weights = vec3(1.0 - uv.x - uv.y, uv);
+    vec3 weights = vec3(1.0 - place.x - place.y, place);
     log2Scale = vec2(0.0);
     for (int k = 0; k < 3; ++k) {
         log2Scale +=

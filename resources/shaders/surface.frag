@@ -27,11 +27,12 @@ uniform bool paintIsUnit;          // texels cannot leave [0, 1]
 uniform bool hasNormals;
 uniform float lineWidth; // device pixels
 
-in vec2 uv;
+in vec2 place; // by the labels 1 and 2
 in vec3 viewPosition;
 in vec3 viewNormal;
 flat in uvec2 record;
 flat in int faceNumber;
+flat in int labels; // of the face's corner 1, and four times that of its corner 2
 #if VERTEX_LEVELS == 1
 in float level;
 #elif FILTERING >= 3
@@ -39,6 +40,8 @@ in vec2 log2Scale; // of the length of edges, and of texels, about here
 in vec2 tilt;
 #endif
 out vec4 color;
+
+vec2 uv; // in the face
 
 // Bits of a face's record, as `FaceRecord` in render/display_texels.h has them.
 const uint kLevelMask = 0xffu;
@@ -260,6 +263,16 @@ vec3 shadingNormal()
                : normal;
 }
 
+// Which of the places that corners' labels span is the face's own.
+vec2 faceUv()
+{
+    float rest = 1.0 - place.x - place.y;
+    int one = labels & 3;
+    int two = labels >> 2;
+    return vec2(one == 1 ? place.x : one == 2 ? place.y : rest,
+                two == 2 ? place.y : two == 1 ? place.x : rest);
+}
+
 // How much of a line of the given half width covers this pixel. Three families of lines, each
 // standing 1 apart in its own unit; x are the distances to the nearest of each, perPixel their
 // change from pixel to pixel.
@@ -274,6 +287,7 @@ float coverage(vec3 x, vec3 perPixel, float halfWidth)
 
 void main()
 {
+    uv = faceUv();
     int resolution = 1 << int(record.y & kLevelMask);
     vec3 bary = vec3(uv, 1.0 - uv.x - uv.y);
     vec3 baryPerPixel = max(fwidth(bary), vec3(1e-12));

@@ -1,20 +1,25 @@
 #version 410 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Three vertices a face, pulled by number: face = gl_VertexID / 3.
+// Corners that faces share, `SharedCorner` in render/shared_corners.h; where there are none, three
+// vertices a face, pulled by number: face = gl_VertexID / 3.
+layout(location = 0) in uint sharedVertex;
+layout(location = 1) in uint sharedBits;
+layout(location = 2) in uint sharedNormal; // octahedral
+uniform bool areShared;
 uniform samplerBuffer positions;  // xyz a mesh vertex
 uniform usamplerBuffer triangles; // three mesh vertices a face
-uniform usamplerBuffer normals;   // one a corner, octahedral
 uniform usamplerBuffer records;   // a face: first texel, level and flags
 uniform bool hasNormals;
 uniform mat4 view;
 uniform mat4 projection;
 
-out vec2 uv;
+out vec2 place;
 out vec3 viewPosition;
 out vec3 viewNormal;
 flat out uvec2 record;
 flat out int faceNumber;
+flat out int labels;
 #if FILTERING >= 3
 uniform usamplerBuffer scales; // a mesh vertex: `VertexScale` in render/filter_mesh.h
 #if VERTEX_LEVELS == 1
@@ -39,17 +44,25 @@ vec3 unpackNormal(uint bits)
 void main()
 {
     int face = gl_VertexID / 3;
-    int corner = gl_VertexID - 3 * face;
+    int label = gl_VertexID - 3 * face;
+    uint vertex = sharedVertex;
+    labels = 1 | 2 << 2;
+    if (areShared) {
+        face = int(sharedBits >> 6);
+        label = int(sharedBits & 3u);
+        labels = int(sharedBits >> 2 & 15u);
+    } else {
+        vertex = texelFetch(triangles, face)[label];
+    }
     faceNumber = face;
-    uint vertex = texelFetch(triangles, face)[corner];
     vec4 position = view * vec4(texelFetch(positions, int(vertex)).xyz, 1.0);
 
-    uv = vec2(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+    place = vec2(label == 1 ? 1.0 : 0.0, label == 2 ? 1.0 : 0.0);
     record = texelFetch(records, face).xy;
     viewPosition = position.xyz;
     viewNormal = vec3(0.0);
     if (hasNormals) {
-        viewNormal = mat3(view) * unpackNormal(texelFetch(normals, gl_VertexID).x);
+        viewNormal = mat3(view) * unpackNormal(sharedNormal);
     }
 #if FILTERING >= 3
     uvec4 scale = texelFetch(scales, int(vertex));

@@ -6,6 +6,7 @@
 #include <QOpenGLBuffer>
 #include <QOpenGLVertexArrayObject>
 
+#include "render/corner_normals.h"
 #include "render/filtering_study.h"
 #include "render/matrices.h"
 #include "render/residency.h"
@@ -43,6 +44,7 @@ struct Painted
     TriangleMesh mesh;
     TexelStore store;
     std::shared_ptr<const FilterMesh> filterMesh;
+    SharedCorners corners;
 };
 
 const Painted& painted(int n)
@@ -62,6 +64,7 @@ const Painted& painted(int n)
                 byte = static_cast<std::byte>(random());
             }
         }
+        sheet.corners = SharedCorners::of(sheet.mesh, cornerNormals(sheet.mesh));
         sheet.filterMesh = std::make_shared<const FilterMesh>(
             sheet.mesh, buildAdjacency(sheet.mesh.triangles), sheet.store);
     }
@@ -127,6 +130,7 @@ void drawFiltered(benchmark::State& state, Filtering filtering, bool lit)
     const auto renderer = std::move(*Renderer::create());
     const Painted& sheet = painted(static_cast<int>(state.range(0)));
     (void)renderer->setMesh(sheet.mesh);
+    renderer->setCorners(sheet.corners);
     renderer->setTexels(sheet.store, 0);
     renderer->setFilterMesh(sheet.filterMesh);
     prepareFilterings(*renderer, sheet.store, std::span(&filtering, 1));
@@ -167,6 +171,7 @@ void drawStreamed(benchmark::State& state, Filtering filtering)
     const auto renderer = std::move(*Renderer::create());
     const Painted& sheet = painted(static_cast<int>(state.range(0)));
     (void)renderer->setMesh(sheet.mesh);
+    renderer->setCorners(sheet.corners);
     renderer->setTexels(sheet.store, 0);
     renderer->setFilterMesh(sheet.filterMesh);
     renderer->wantFilterings(std::span(&filtering, 1));

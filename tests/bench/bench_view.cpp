@@ -80,7 +80,7 @@ void drawSurface(benchmark::State& state, const SurfaceStyle& style, bool stored
                                                  Level(3),
                                                  std::vector<std::byte>(3, std::byte{200}));
     (void)renderer->setMesh(mesh);
-    renderer->setNormals(cornerNormals(mesh));
+    renderer->setCorners(SharedCorners::of(mesh, cornerNormals(mesh)));
     renderer->setTexels(store, 0);
     renderer->uploadTexels(store, kAll);
     Scene shown = scene();

@@ -8,6 +8,7 @@
 #include "core/mesh/surface.h"
 #include "core/study/solid_texture.h"
 #include "core/texture/texel_store.h"
+#include "render/corner_normals.h"
 #include "render/filter_mesh.h"
 #include "render/renderer.h"
 
@@ -106,6 +107,7 @@ inline std::unique_ptr<Renderer> rendererOf(const Surface& surface, const TexelS
 {
     auto renderer = std::move(*Renderer::create());
     (void)renderer->setMesh(surface.mesh());
+    renderer->setCorners(SharedCorners::of(surface.mesh(), cornerNormals(surface.mesh())));
     renderer->setTexels(store, 0);
     renderer->setFilterMesh(
         std::make_shared<const FilterMesh>(surface.mesh(), surface.adjacency(), store));

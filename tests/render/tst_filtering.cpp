@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 using namespace trixel;
@@ -110,6 +111,27 @@ std::vector<std::uint32_t> facesSeen(Gl& gl, Renderer& renderer, Scene scene, st
     return seen;
 }
 
+/// Processors round otherwise: a few pixels may lie on another side of an edge.
+void expectAlike(const QImage& image, const QImage& other)
+{
+    QCOMPARE(other.size(), image.size());
+    int off = 0;
+    double sum = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor a = image.pixelColor(x, y);
+            const QColor b = other.pixelColor(x, y);
+            const int most = std::max({std::abs(a.red() - b.red()),
+                                       std::abs(a.green() - b.green()),
+                                       std::abs(a.blue() - b.blue())});
+            off += most > 3 ? 1 : 0;
+            sum += most;
+        }
+    }
+    QVERIFY2(off <= image.width() * image.height() / 200, qPrintable(QString::number(off)));
+    QVERIFY2(sum / (image.width() * image.height()) < 0.25, qPrintable(QString::number(sum)));
+}
+
 } // namespace
 
 class TestFiltering : public QObject
@@ -159,6 +181,8 @@ private slots:
         Scene scene = shown->scene;
         scene.surface.filtering = way;
         const QImage image = m_offscreen->draw(*renderer, scene);
+        renderer->setCorners({});
+        expectAlike(m_offscreen->draw(*renderer, scene), image); // three corners a face
         const QString name =
             QStringLiteral("%1-%2.png").arg(isBunny ? "bunny" : "torus", nameOf(way));
         const QString path = QStringLiteral(TRIXEL_TEST_DATA "/filtering/") + name;
@@ -166,23 +190,40 @@ private slots:
             QVERIFY(image.save(path));
         }
         const QImage golden = QImage(path).convertToFormat(QImage::Format_RGB32);
-        QCOMPARE(golden.size(), image.size());
-        // Processors round otherwise: a few pixels may lie on another side of an edge.
-        int off = 0;
-        double sum = 0;
-        for (int y = 0; y < image.height(); ++y) {
-            for (int x = 0; x < image.width(); ++x) {
-                const QColor a = image.pixelColor(x, y);
-                const QColor b = golden.pixelColor(x, y);
-                const int most = std::max({std::abs(a.red() - b.red()),
-                                           std::abs(a.green() - b.green()),
-                                           std::abs(a.blue() - b.blue())});
-                off += most > 3 ? 1 : 0;
-                sum += most;
+        expectAlike(image, golden);
+    }
+
+    /// Colours of corners, lines and light; light by the faces' own normals, which is what faces
+    /// are lit by that have no others.
+    void sharedCornersShowWhatFacesDo()
+    {
+        const Shown shown = torus();
+        const TriangleMesh& mesh = shown.surface->mesh();
+        const auto renderer = rendererOf(*shown.surface, shown.store);
+        renderer->uploadTexels(shown.store, std::size_t{1} << 30U);
+        std::vector<std::uint32_t> normals;
+        std::vector<std::uint32_t> colors;
+        for (std::uint32_t corner = 0; corner < 3 * mesh.faceCount(); ++corner) {
+            const auto [a, b, c] = mesh.corners(faceId(corner / 3));
+            normals.push_back(packNormal(glm::normalize(glm::cross(b - a, c - a))));
+            colors.push_back(corner * 2654435761U | 0xff000000U);
+        }
+        renderer->setFaceColors(colors);
+        const SharedCorners hard = SharedCorners::of(mesh, normals);
+        const SharedCorners smooth = SharedCorners::of(mesh, cornerNormals(mesh));
+        for (const bool isLit : {false, true}) {
+            for (const bool hasColors : {false, true}) {
+                Scene scene = shown.scene;
+                scene.surface.lit = isLit;
+                scene.surface.wireframe = true;
+                scene.surface.texelGrid = !hasColors;
+                scene.surface.faceColors = hasColors;
+                renderer->setCorners({});
+                const QImage faces = m_offscreen->draw(*renderer, scene);
+                renderer->setCorners(isLit ? hard : smooth);
+                expectAlike(m_offscreen->draw(*renderer, scene), faces);
             }
         }
-        QVERIFY2(off <= image.width() * image.height() / 200, qPrintable(QString::number(off)));
-        QVERIFY2(sum / (image.width() * image.height()) < 0.25, qPrintable(QString::number(sum)));
     }
 
     void seamlessWaysDoNotJumpAtEdges_data()

@@ -367,7 +367,7 @@ private slots:
         const QImage unlit = m_offscreen->draw(*m_renderer, scene);
         scene.surface.lit = true;
         const QImage lit = m_offscreen->draw(*m_renderer, scene);
-        m_renderer->setNormals(cornerNormals(m_mesh));
+        m_renderer->setCorners(SharedCorners::of(m_mesh, cornerNormals(m_mesh)));
         const QImage smooth = m_offscreen->draw(*m_renderer, scene);
         QCOMPARE(unlit.pixelColor(400, 600), QColor(Qt::white));
         const QColor shade = lit.pixelColor(400, 600);

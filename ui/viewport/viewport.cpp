@@ -99,7 +99,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
     connect(&settings, &ViewSettings::brushChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::toolChanged, this, [this] { d->redraw(); });
     connect(&settings, &ViewSettings::lookChanged, this, [this] { d->showInspected(); });
-    connect(&d->normalsWatcher, &QFutureWatcherBase::finished, this, [this] { d->normalsReady(); });
+    connect(&d->cornersWatcher, &QFutureWatcherBase::finished, this, [this] { d->cornersReady(); });
     connect(&d->streaming, &CardStreaming::ready, this, [this] { d->redraw(); });
     connect(&d->streaming, &CardStreaming::outOfMemory, this, [this] {
         emit notice(tr("There is not enough memory: some faces are shown coarser than they are."));
@@ -119,7 +119,7 @@ Viewport::Viewport(Document& document, ViewSettings& settings, QWidget* parent)
 
 Viewport::~Viewport()
 {
-    d->normalsWatcher.disconnect(this);
+    d->cornersWatcher.disconnect(this);
     d->limitView.disconnect(this);
     d->filterWatcher.disconnect(this);
     d->outlineWatcher.disconnect(this);
@@ -244,7 +244,7 @@ QImage Viewport::grabFramebuffer()
 
 void Viewport::settle()
 {
-    d->waitForNormals();
+    d->waitForCorners();
     d->settleLimit();
     if (!canDraw()) {
         return;

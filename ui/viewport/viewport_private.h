@@ -86,8 +86,8 @@ public:
     void sendTexels(double milliseconds);
     void finishTexels();
     void prepareTexels();
-    void normalsReady();
-    void waitForNormals();
+    void cornersReady();
+    void waitForCorners();
     render::Scene scene() const;
     void paintHint();
     void explainNoOpenGl(const QString& reason);
@@ -177,8 +177,8 @@ public:
     CardStreaming streaming;
     std::shared_ptr<const Surface> shownSurface;
     ViewOptions shownView;
-    QFutureWatcher<std::vector<std::uint32_t>> normalsWatcher;
-    std::vector<std::uint32_t> normals; ///< empty until they are made
+    QFutureWatcher<render::SharedCorners> cornersWatcher;
+    render::SharedCorners sharedCorners; ///< none until they are made
     QFutureWatcher<std::shared_ptr<const render::FilterMesh>> filterWatcher;
     std::shared_ptr<const render::FilterMesh>
         filterMesh;                                 ///< none until a way of filtering needs it

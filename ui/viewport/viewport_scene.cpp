@@ -49,7 +49,7 @@ void Viewport::Private::takeSurface()
     painting.forget();
     meshDirty = true;
     texelsDirty = true;
-    normals.clear();
+    sharedCorners = {};
     forgetFilterMesh();
     shownSurface = document.surface();
     streaming.setSurface(shownSurface);
@@ -65,8 +65,10 @@ void Viewport::Private::takeSurface()
     emit q.hovered(std::nullopt);
     if (shownSurface) {
         camera.setScene(shownSurface->low(), shownSurface->high());
-        normalsWatcher.setFuture(runWithinMemory(
-            [surface = shownSurface] { return render::cornerNormals(surface->mesh()); }));
+        cornersWatcher.setFuture(runWithinMemory([surface = shownSurface] {
+            const TriangleMesh& mesh = surface->mesh();
+            return render::SharedCorners::of(mesh, render::cornerNormals(mesh));
+        }));
     }
     limitView.setSurface(shownSurface, document.creaseAngle());
     showOverlays();
@@ -253,9 +255,7 @@ void Viewport::Private::sendMesh()
         shownSurface.reset();
         return;
     }
-    if (!normals.empty()) {
-        renderer->setNormals(normals);
-    }
+    renderer->setCorners(sharedCorners);
 }
 
 /// Which texels are shown at all.
@@ -301,30 +301,30 @@ void Viewport::Private::finishTexels()
     }
 }
 
-void Viewport::Private::normalsReady()
+void Viewport::Private::cornersReady()
 {
-    auto made = madeOf(normalsWatcher.future());
+    auto made = madeOf(cornersWatcher.future());
     if (!made) {
         emit q.notice(tr("There is not enough memory to shade the surface smoothly."));
         return;
     }
-    if (!shownSurface || made->size() != 3 * shownSurface->mesh().faceCount()) {
+    if (!shownSurface || made->faces.size() != shownSurface->mesh().faceCount()) {
         return; // of a surface shown before
     }
-    normals = std::move(*made);
+    sharedCorners = std::move(*made);
     if (renderer && !meshDirty) {
         canvas->makeCurrent();
-        renderer->setNormals(normals);
+        renderer->setCorners(sharedCorners);
         canvas->doneCurrent();
     }
     redraw();
 }
 
-void Viewport::Private::waitForNormals()
+void Viewport::Private::waitForCorners()
 {
-    if (shownSurface && normals.empty()) {
-        normalsWatcher.waitForFinished();
-        normalsReady();
+    if (shownSurface && sharedCorners.faces.empty()) {
+        cornersWatcher.waitForFinished();
+        cornersReady();
     }
 }
 
