@@ -58,8 +58,9 @@ Result<TexelStore> linearStore(const TexelStore& store,
 /// the colours of what no opacity shows, for programs that look up colours on their own.
 /// Fails when cancelled; when the mesh has no uvs; and when the image is too small, so that no face
 /// holds a pixel's centre.
-/// \param scene   of the mesh's faces (checked), weighed where the format has an opacity
-/// (opacity.h) \param format  of the scene's texels: which channel is opacity
+/// \param scene   of the mesh's faces (checked); weighed where the format has an opacity, see
+///                opacity.h
+/// \param format  of the scene's texels: which channel is opacity
 Result<UvImage> makeUvImage(const FilterScene& scene,
                             const TriangleMesh& mesh,
                             const TexelFormat& format,
