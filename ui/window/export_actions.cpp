@@ -65,7 +65,7 @@ ExportActions::ExportActions(Document& document,
                    tr("Repeat the last export as it was, to the same files"),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
     connect(m_export, &QAction::triggered, this, &ExportActions::ask);
-    connect(m_again, &QAction::triggered, this, [this] { m_files.exportAs(*m_latest); });
+    connect(m_again, &QAction::triggered, this, &ExportActions::repeat);
     connect(&m_document, &Document::opened, this, [this] {
         m_latest.reset(); // it was of another project
         enable();
@@ -101,6 +101,18 @@ void ExportActions::ask()
         m_files.exportAs(request);
     });
     dialog->open();
+}
+
+void ExportActions::repeat()
+{
+    if (const auto layer = m_latest->part.layer; layer && !m_document.layers().has(*layer)) {
+        m_messages.showMessage(
+            MessageBar::Kind::Error,
+            tr("The layer that was exported last is no longer there: choose what to export."),
+            {tr("E&xport…"), [this] { ask(); }});
+        return;
+    }
+    m_files.exportAs(*m_latest);
 }
 
 void ExportActions::tell(const ExportOutcome& outcome)

@@ -36,6 +36,7 @@ public:
 private:
     void enable();
     void ask();
+    void repeat();
     void tell(const ExportOutcome& outcome);
     QString proposedPath() const;
 

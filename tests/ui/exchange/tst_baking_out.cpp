@@ -116,6 +116,32 @@ private slots:
         QCOMPARE(widgetNamed<QComboBox>(*again, "Image size")->currentData().toInt(), 256);
     }
 
+    void aLayerThatIsGoneIsNotExportedAgainAndTheDialogIsOffered()
+    {
+        openWithUvs(1);
+        LayerStack layers(document().texels());
+        const LayerId ink = layers.insert(0, {"Ink"});
+        QVERIFY(document().editLayers(std::move(layers), ink, "Add Layer"));
+        ExportDialog& dialog = ask("ink.png");
+        choose(*widgetNamed<QComboBox>(dialog, "Layer"), "Ink");
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        expectTold("Exported ink");
+        LayerStack without = document().layers();
+        without.remove(ink);
+        QVERIFY(document().editLayers(std::move(without), kBaseLayer, "Delete Layer"));
+        press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+        expectTold("The layer that was exported last is no longer there: choose what to export.");
+        QCOMPARE(m_window->messages().kind(), MessageBar::Kind::Error);
+        auto* wayOut = widgetNamed<QPushButton>(m_window->messages(), "Export…");
+        QVERIFY(wayOut != nullptr);
+        QTest::mouseClick(wayOut, Qt::LeftButton);
+        QVERIFY(openDialog<ExportDialog>() != nullptr);
+        openDialog<ExportDialog>()->reject();
+        document().undoStack().undo(); // the layer is back
+        press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+        expectTold("Exported ink");
+    }
+
     void labelsOfPagesLineUpWithThoseAbove()
     {
         openWithUvs(1);
