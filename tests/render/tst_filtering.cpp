@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ways of filtering on the card: what they show, how they fare at edges and against `exact`.
+// Ways of filtering on the card: what they show and how they fare against `exact`.
 #include <QTest>
 
 #include "render/filtering_study.h"
-#include "tests/render/filtering_scenes.h"
+#include "tests/render/filtering_views.h"
 #include "tests/render/offscreen.h"
 
 #include <algorithm>
@@ -16,100 +16,6 @@ using namespace trixel;
 using namespace trixel::render;
 
 namespace {
-
-constexpr int kSide = 192;
-/// Faces that are seen from nearer to their edge, 6 degrees, are as good as lines: interpolated
-/// across a small part of a pixel, places on them are not exact in floats.
-constexpr double kSteep = 0.1;
-constexpr const char* kBunny = "/usr/share/glmark2/models/bunny.obj";
-
-const char* nameOf(Filtering filtering)
-{
-    switch (filtering) {
-    case Filtering::Texels:
-        return "texels";
-    case Filtering::LowerHalf:
-        return "lower-half";
-    case Filtering::PackedAtlas:
-        return "packed-atlas";
-    case Filtering::Seamless:
-        return "seamless";
-    case Filtering::Anisotropic:
-        break;
-    }
-    return "anisotropic";
-}
-
-struct Shown
-{
-    std::shared_ptr<const Surface> surface;
-    TexelStore store;
-    Scene scene;
-};
-
-Scene sceneOf(const Surface& surface, int side, CameraPose pose)
-{
-    Scene scene;
-    scene.camera.setViewport(side, side);
-    scene.camera.setScene(surface.low(), surface.high());
-    scene.camera.frame(surface.low(), surface.high());
-    CameraPose framed = scene.camera.pose();
-    framed.yaw = pose.yaw;
-    framed.pitch = pose.pitch;
-    framed.distance *= pose.distance;
-    scene.camera.setPose(framed);
-    scene.surface.lit = false;
-    return scene;
-}
-
-/// 672 faces whose neighbours may be four levels apart.
-Shown torus(int side = kSide)
-{
-    Shown shown;
-    shown.surface = surfaceOf(torusMesh(24, 14));
-    const TriangleMesh& mesh = shown.surface->mesh();
-    shown.store = solidStore(mesh, mixedLevels(mesh.faceCount(), 1, 5, 7), 3);
-    shown.scene = sceneOf(*shown.surface, side, {{}, 1.0, 0.4, 0.75});
-    return shown;
-}
-
-/// The bunny as if someone had painted it: levels change from region to region.
-std::optional<Shown> bunny(int side = kSide)
-{
-    NoProgress progress;
-    auto mesh = readMesh(kBunny, progress);
-    if (!mesh) {
-        return std::nullopt;
-    }
-    Shown shown;
-    shown.surface = surfaceOf(std::move(*mesh));
-    shown.store = solidStore(shown.surface->mesh(), bandedLevels(shown.surface->mesh(), 1, 3), 3);
-    shown.scene = sceneOf(*shown.surface, side, {{}, 1.0, 0.3, 0.2});
-    return shown;
-}
-
-/// Faces by pixel, 0 where there is none.
-std::vector<std::uint32_t> facesSeen(Gl& gl, Renderer& renderer, Scene scene, std::size_t faces)
-{
-    std::vector<std::uint32_t> colors(faces);
-    for (std::size_t f = 0; f < faces; ++f) {
-        colors[f] = static_cast<std::uint32_t>(f + 1) | 0xff000000U;
-    }
-    renderer.setFaceColors(colors);
-    scene.surface.faceColors = true;
-    scene.surface.lit = false;
-    const DrawnPicture drawn = drawNumbers(gl, renderer, scene);
-    renderer.setFaceColors({});
-    std::vector<std::uint32_t> seen(drawn.values.size() / 4);
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-        const float* value = drawn.values.data() + 4 * k;
-        const auto byte = [&](int c) {
-            return static_cast<std::uint32_t>(std::lround(value[c] * 255));
-        };
-        seen[k] = byte(0) | byte(1) << 8U | byte(2) << 16U;
-    }
-    return seen;
-}
 
 /// Processors round otherwise: a few pixels may lie on another side of an edge.
 void expectAlike(const QImage& image, const QImage& other)
@@ -223,50 +129,6 @@ private slots:
                 renderer->setCorners(isLit ? hard : smooth);
                 expectAlike(m_offscreen->draw(*renderer, scene), faces);
             }
-        }
-    }
-
-    void seamlessWaysDoNotJumpAtEdges_data()
-    {
-        QTest::addColumn<int>("scene");
-        QTest::newRow("torus") << 0;
-        QTest::newRow("torus, noise") << 1;
-        QTest::newRow("torus from the side") << 2;
-        QTest::newRow("bunny") << 3;
-        QTest::newRow("bunny, noise, near") << 4;
-        QTest::newRow("bunny, noise, far") << 5;
-    }
-
-    void seamlessWaysDoNotJumpAtEdges()
-    {
-        QFETCH(int, scene);
-        std::optional<Shown> made = scene < 3 ? torus(384) : bunny();
-        QVERIFY2(made, "glmark2-data has the bunny");
-        Shown& shown = *made;
-        const TriangleMesh& mesh = shown.surface->mesh();
-        if (scene >= 4) {
-            shown.store = noiseStore(bandedLevels(mesh, 1, 4), 5);
-            shown.scene = sceneOf(*shown.surface, kSide, {{}, 2.0, 0.3, scene == 4 ? 0.12 : 0.4});
-        } else if (scene == 1) {
-            shown.store = noiseStore(mixedLevels(mesh.faceCount(), 1, 5, 7), 5);
-        } else if (scene == 2) {
-            shown.store = noiseStore(bandedLevels(mesh, 2, 4), 5);
-            shown.scene = sceneOf(*shown.surface, 384, {{}, 0.7, 2.5, 1.2});
-        }
-        const auto renderer = rendererOf(*shown.surface, shown.store);
-        const int moves = scene < 3 ? 16 : 10;
-        if (scene < 3) {
-            prepareFilterings(*renderer, shown.store);
-            QVERIFY(largestJump(*renderer, shown, Filtering::Texels, moves) > 0.3);
-            QVERIFY(largestJump(*renderer, shown, Filtering::PackedAtlas, moves) > 0.1);
-        }
-        for (const Filtering filtering : {Filtering::Seamless, Filtering::Anisotropic}) {
-            prepareFilterings(*renderer, shown.store, std::span(&filtering, 1));
-            const double largest = 255 * largestJump(*renderer, shown, filtering, moves);
-            qInfo() << nameOf(filtering) << "largest jump of" << m_crossed << "pixels by edges"
-                    << largest << "of 255; by faces seen from their edge" << 255 * m_steep;
-            QVERIFY(m_crossed >= 100);
-            QVERIFY2(largest <= 1, qPrintable(QString::number(largest)));
         }
     }
 
@@ -454,91 +316,10 @@ private slots:
     }
 
 private:
-    /// A pixel by an edge that comes to lie on its other side.
-    struct Jump
-    {
-        double size = 0;   ///< less what the picture changes by beside the edge
-        double facing = 0; ///< cosine of the angle at which the more slanting face is seen
-    };
-
-    static double facing(const Shown& shown, std::size_t face)
-    {
-        const auto at = shown.surface->mesh().corners(faceId(face));
-        const glm::dvec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
-        const glm::dvec3 eye(shown.scene.camera.eye() - glm::dvec3(at[0]));
-        return std::abs(glm::dot(normal, eye)) /
-               std::max(glm::length(normal) * glm::length(eye), 1e-30);
-    }
-
-    /// Of all pixels by edges, while the picture moves.
-    std::vector<Jump> jumpsOf(Renderer& renderer, const Shown& shown, Scene scene, int moves)
-    {
-        constexpr double kMove = 1.0 / 256; // pixels
-        const std::size_t faces = shown.surface->mesh().faceCount();
-        const Adjacency& adjacency = shown.surface->adjacency();
-        std::vector<Jump> jumps;
-        std::vector<std::vector<std::uint32_t>> seen;
-        std::vector<DrawnPicture> drawn;
-        for (int k = 0; k < moves; ++k) {
-            seen.push_back(facesSeen(*m_gl, renderer, scene, faces));
-            drawn.push_back(drawNumbers(*m_gl, renderer, scene));
-            scene.camera.pan({kMove, 0.6 * kMove});
-        }
-        for (std::size_t k = 1; k + 2 < seen.size(); ++k) {
-            for (std::uint32_t p = 0; p < seen[k].size(); ++p) {
-                const std::uint32_t from = seen[k][p];
-                const std::uint32_t to = seen[k + 1][p];
-                const bool crosses = from != to && from != 0 && to != 0 && from <= faces &&
-                                     to <= faces && seen[k - 1][p] == from && seen[k + 2][p] == to;
-                const bool neighbours =
-                    crosses && std::ranges::any_of(kLocalEdges, [&](LocalEdge edge) {
-                        const auto across = adjacency.neighbour(faceId(from - 1), edge);
-                        return across && indexOf(across->face) == to - 1;
-                    });
-                if (!neighbours) {
-                    continue; // or one behind the other
-                }
-                const auto change = [&](std::size_t at, int c) {
-                    return std::abs(double{drawn[at + 1].pixel(p)[c]} -
-                                    double{drawn[at].pixel(p)[c]});
-                };
-                Jump jump;
-                jump.facing = std::min(facing(shown, from - 1), facing(shown, to - 1));
-                for (int c = 0; c < 3; ++c) {
-                    jump.size =
-                        std::max(jump.size, change(k, c) - change(k - 1, c) - change(k + 1, c));
-                }
-                jumps.push_back(jump);
-            }
-        }
-        return jumps;
-    }
-
-    double largestJump(Renderer& renderer, const Shown& shown, Filtering filtering, int moves)
-    {
-        Scene scene = shown.scene;
-        scene.surface.filtering = filtering;
-        const std::vector<Jump> jumps = jumpsOf(renderer, shown, scene, moves);
-        m_crossed = 0;
-        m_steep = 0;
-        double largest = 0;
-        for (const Jump& jump : jumps) {
-            if (jump.facing < kSteep) {
-                m_steep = std::max(m_steep, jump.size);
-            } else {
-                ++m_crossed;
-                largest = std::max(largest, jump.size);
-            }
-        }
-        return largest;
-    }
-
     std::unique_ptr<Offscreen> m_offscreen;
     std::unique_ptr<Gl> m_gl;
     std::optional<Shown> m_torus;
     std::optional<Shown> m_bunny;
-    int m_crossed = 0;
-    double m_steep = 0; ///< largest jump by faces that are seen from their edge
 };
 
 QTEST_MAIN(TestFiltering)
