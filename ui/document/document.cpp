@@ -10,6 +10,7 @@
 #include "ui/document/layer_composer.h"
 #include "ui/document/layer_paint.h"
 #include "ui/document/pending_stroke.h"
+#include "ui/document/released_elsewhere.h"
 #include "ui/document/stored_faces_watch.h"
 #include "ui/document/swap_creases.h"
 #include "ui/document/swap_patch.h"
@@ -80,7 +81,9 @@ void Document::open(Project project, const QString& path, const QString& title)
     }
     dropBehind();
     m_pending = nullptr;
-    m_project = std::move(project);
+    // Until nobody who is told below shares its texels any more.
+    const auto before =
+        releasedElsewhere(std::make_unique<Project>(std::exchange(m_project, std::move(project))));
     m_fill = fillOf(m_project);
     m_activeLayer = topLayer(m_project.layers);
     m_path = path;

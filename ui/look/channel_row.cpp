@@ -37,9 +37,10 @@ ChannelRow::ChannelRow(const Document& document, ViewSettings& settings, QWidget
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(2);
     setAccessibleName(tr("Channels shown"));
-    connect(&document, &Document::opened, this, &ChannelRow::rebuild);
+    connect(&document, &Document::opened, this, &ChannelRow::takeDocument);
     connect(&settings, &ViewSettings::lookChanged, this, &ChannelRow::follow);
     connect(m_group, &QButtonGroup::idClicked, this, &ChannelRow::choose);
+    setEnabled(m_document.isOpen());
     rebuild();
 }
 
@@ -58,14 +59,31 @@ QToolButton* ChannelRow::addButton(int id, const QString& text, const QString& t
     return button;
 }
 
+TexelFormat ChannelRow::shownFormat() const
+{
+    return m_document.isOpen() ? m_document.texels().format() : TexelFormat();
+}
+
+/// Most have the channels of the one before: making buttons takes milliseconds.
+void ChannelRow::takeDocument()
+{
+    setEnabled(m_document.isOpen());
+    const TexelFormat format = shownFormat();
+    if (format.channels == m_listed.channels && format.alpha == m_listed.alpha) {
+        follow();
+    } else {
+        rebuild();
+    }
+}
+
 void ChannelRow::rebuild()
 {
+    m_listed = shownFormat();
     for (QAbstractButton* button : m_group->buttons()) {
         delete button;
     }
     delete std::exchange(m_others, nullptr);
-    setEnabled(m_document.isOpen());
-    const TexelFormat format = m_document.isOpen() ? m_document.texels().format() : TexelFormat();
+    const TexelFormat& format = m_listed;
     const int channels = format.channels;
     if (channels >= 3) {
         addButton(kColor,

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include <vector>
+#include "core/texture/texel_format.h"
 
 class QButtonGroup;
 class QComboBox;
@@ -25,6 +25,8 @@ public:
     ChannelRow(const Document& document, ViewSettings& settings, QWidget* parent = nullptr);
 
 private:
+    TexelFormat shownFormat() const;
+    void takeDocument();
     void rebuild();
     void follow();
     QToolButton* addButton(int id, const QString& text, const QString& toolTip);
@@ -35,6 +37,7 @@ private:
     ViewSettings& m_settings;
     QHBoxLayout* m_layout;
     QButtonGroup* m_group;
+    TexelFormat m_listed;          ///< whose channels there are buttons for
     QComboBox* m_others = nullptr; ///< none where four channels are all
 };
 

@@ -2,6 +2,7 @@
 #include "ui/viewport/canvas.h"
 
 #include <QOpenGLContext>
+#include <QScopedValueRollback>
 
 #include <utility>
 
@@ -52,7 +53,17 @@ void Canvas::endContext()
 
 void Canvas::paintGL()
 {
-    m_hooks.draw();
+    if (!m_isResizing) {
+        m_hooks.draw();
+    }
+}
+
+/// Which draws at once, for every step of a layout: one frame for the last of them is enough.
+void Canvas::resizeEvent(QResizeEvent* event)
+{
+    const QScopedValueRollback resizing(m_isResizing, true);
+    QOpenGLWidget::resizeEvent(event);
+    update();
 }
 
 } // namespace trixel::ui

@@ -27,11 +27,13 @@ public:
 protected:
     void initializeGL() override;
     void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void endContext();
 
     Hooks m_hooks;
+    bool m_isResizing = false;
 };
 
 } // namespace trixel::ui

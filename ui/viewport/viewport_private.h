@@ -177,8 +177,9 @@ public:
     CardStreaming streaming;
     std::shared_ptr<const Surface> shownSurface;
     ViewOptions shownView;
-    QFutureWatcher<render::SharedCorners> cornersWatcher;
-    render::SharedCorners sharedCorners; ///< none until they are made
+    using Corners = std::shared_ptr<const render::SharedCorners>;
+    QFutureWatcher<Corners> cornersWatcher;
+    Corners sharedCorners; ///< none until they are made
     QFutureWatcher<std::shared_ptr<const render::FilterMesh>> filterWatcher;
     std::shared_ptr<const render::FilterMesh>
         filterMesh;                                 ///< none until a way of filtering needs it

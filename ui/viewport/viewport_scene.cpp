@@ -49,7 +49,7 @@ void Viewport::Private::takeSurface()
     painting.forget();
     meshDirty = true;
     texelsDirty = true;
-    sharedCorners = {};
+    sharedCorners.reset();
     forgetFilterMesh();
     shownSurface = document.surface();
     streaming.setSurface(shownSurface);
@@ -65,9 +65,10 @@ void Viewport::Private::takeSurface()
     emit q.hovered(std::nullopt);
     if (shownSurface) {
         camera.setScene(shownSurface->low(), shownSurface->high());
-        cornersWatcher.setFuture(runWithinMemory([surface = shownSurface] {
+        cornersWatcher.setFuture(runWithinMemory([surface = shownSurface]() -> Corners {
             const TriangleMesh& mesh = surface->mesh();
-            return render::SharedCorners::of(mesh, render::cornerNormals(mesh));
+            return std::make_shared<const render::SharedCorners>(
+                render::SharedCorners::of(mesh, render::cornerNormals(mesh)));
         }));
     }
     limitView.setSurface(shownSurface, document.creaseAngle());
@@ -255,7 +256,9 @@ void Viewport::Private::sendMesh()
         shownSurface.reset();
         return;
     }
-    renderer->setCorners(sharedCorners);
+    if (sharedCorners) {
+        renderer->setCorners(*sharedCorners);
+    }
 }
 
 /// Which texels are shown at all.
@@ -303,18 +306,20 @@ void Viewport::Private::finishTexels()
 
 void Viewport::Private::cornersReady()
 {
-    auto made = madeOf(cornersWatcher.future());
+    const auto made = madeOf(cornersWatcher.future());
     if (!made) {
         emit q.notice(tr("There is not enough memory to shade the surface smoothly."));
         return;
     }
-    if (!shownSurface || made->faces.size() != shownSurface->mesh().faceCount()) {
-        return; // of a surface shown before
+    const bool isOfAnother =
+        !shownSurface || (*made)->faces.size() != shownSurface->mesh().faceCount();
+    if (isOfAnother || *made == sharedCorners) {
+        return; // of a surface shown before, or taken already by who waited
     }
-    sharedCorners = std::move(*made);
+    sharedCorners = *made;
     if (renderer && !meshDirty) {
         canvas->makeCurrent();
-        renderer->setCorners(sharedCorners);
+        renderer->setCorners(*sharedCorners);
         canvas->doneCurrent();
     }
     redraw();
@@ -322,7 +327,7 @@ void Viewport::Private::cornersReady()
 
 void Viewport::Private::waitForCorners()
 {
-    if (shownSurface && sharedCorners.faces.empty()) {
+    if (shownSurface && !sharedCorners) {
         cornersWatcher.waitForFinished();
         cornersReady();
     }

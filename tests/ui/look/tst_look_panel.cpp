@@ -79,6 +79,8 @@ private slots:
         press(Qt::Key_C);
         QVERIFY(look().luminance);
         QCOMPARE(list->currentIndex(), 0);
+        document().open(gridProject(1, 1), {}, "three");
+        QVERIFY(!widgetNamed<QComboBox>(*m_panel, "Further channels"));
     }
 
     void keysChangeTheLookFromTheView()

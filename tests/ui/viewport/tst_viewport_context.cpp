@@ -4,6 +4,7 @@
 #include <QOpenGLWidget>
 
 #include "tests/ui/viewport/view_fixture.h"
+#include "ui/viewport/canvas.h"
 
 using namespace trixel;
 using namespace trixel::ui;
@@ -151,6 +152,24 @@ private slots:
             QVERIFY(view.document.texels().face(face) == other.document.texels().face(face));
         }
         QCOMPARE(view.viewport->grabFramebuffer(), other.viewport->grabFramebuffer());
+    }
+
+    void layingOutDrawsNothingUntilItIsDone()
+    {
+        QWidget window;
+        window.resize(300, 300);
+        int frames = 0;
+        auto* canvas = new Canvas({}, {[] {}, [] {}, [&frames] { ++frames; }}, &window);
+        canvas->setGeometry(0, 0, 100, 100);
+        window.show();
+        QTRY_VERIFY(frames > 0);
+        QCoreApplication::processEvents();
+
+        frames = 0;
+        canvas->resize(200, 100);
+        canvas->resize(200, 200);
+        QCOMPARE(frames, 0);
+        QTRY_VERIFY(frames > 0);
     }
 
     void aViewDestroyedBeforeItIsShownLeavesNothing()
