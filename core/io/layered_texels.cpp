@@ -220,6 +220,7 @@ private:
         bool isCovered = false;
         for (std::size_t k = 0; k < parts.size(); ++k) {
             if (k > 0 && isUncovered(parts[k])) {
+                take(sizeof(FaceTexels)); // its place beside faces that are covered
                 continue;
             }
             isCovered = isCovered || k > 0;

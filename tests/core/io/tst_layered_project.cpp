@@ -489,6 +489,23 @@ TEST_F(LayeredProject, layersBeyondTheMemoryAreRefused)
     EXPECT_EQ(refused.error().kind, ErrorKind::Contents);
 }
 
+TEST_F(LayeredProject, facesThatALayerLeavesCountTowardsTheMemory)
+{
+    Project project = layered();
+    while (project.layers.layers().size() < 40) {
+        (void)project.layers.insert(0, {});
+    }
+    (void)saved(project);
+    MemoryBudget all;
+    const auto file = openPtxFile(m_path, all);
+    ASSERT_TRUE(file);
+    const auto settings = layersOf(file->metadata(all).value());
+    const std::uint64_t before = all.left();
+    ASSERT_TRUE(readLayers(*file, *settings, all, Threads{2}, m_progress));
+    // One face that is covered gives each in its block a place of its own.
+    EXPECT_GE(before - all.left(), 41 * kFaces * sizeof(FaceTexels));
+}
+
 TEST_F(LayeredProject, randomDamageIsAnsweredWithOneSentence)
 {
     (void)saved(layered());
