@@ -8,6 +8,16 @@
 
 namespace trixel::ui {
 
+namespace {
+
+QColor asShown(const std::array<float, 4>& color)
+{
+    const auto channel = [&](std::size_t k) { return std::clamp(color[k], 0.0F, 1.0F); };
+    return QColor::fromRgbF(channel(0), channel(1), channel(2), channel(3));
+}
+
+} // namespace
+
 BrushColors::BrushColors(ViewSettings& settings, QObject* parent)
     : QObject(parent)
     , m_settings(settings)
@@ -17,10 +27,7 @@ BrushColors::BrushColors(ViewSettings& settings, QObject* parent)
 
 QColor BrushColors::color() const
 {
-    const auto channel = [this](std::size_t k) {
-        return std::clamp(m_settings.brush().color[k], 0.0F, 1.0F);
-    };
-    return QColor::fromRgbF(channel(0), channel(1), channel(2), channel(3));
+    return asShown(m_settings.brush().color);
 }
 
 void BrushColors::choose(const QColor& color)
@@ -28,9 +35,9 @@ void BrushColors::choose(const QColor& color)
     setColor(usable(color));
 }
 
-void BrushColors::remember()
+void BrushColors::remember(const std::array<float, 4>& color)
 {
-    const QColor used = color();
+    const QColor used = asShown(color);
     if (!m_recent.empty() && m_recent.front() == used) {
         return;
     }

@@ -31,8 +31,8 @@ public:
     void choose(const QColor& color);
     /// The same with channel values as picked from a texel, to the last digit.
     void choose(const std::array<float, 4>& color);
-    /// Puts the colour painted with first among the recent ones.
-    void remember();
+    /// Puts a colour, as channel values, first among the recent ones.
+    void remember(const std::array<float, 4>& color);
     void swap();
     /// Black to paint with, white to swap it with.
     void reset();

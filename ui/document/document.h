@@ -208,6 +208,8 @@ signals:
 private:
     friend class PendingStroke;
     friend class SwapCreases;
+    /// A stroke or a fill in this colour became a step.
+    void colorUsed(const std::array<float, 4>& color);
     friend class SwapLayers;
     friend class SwapPatch;
     friend class SwapStore;
@@ -239,6 +241,8 @@ private:
     void play(const KeptStroke& kept);
     bool hasUnsettled() const;
     void wait(const QString& text, std::function<void()> work);
+    static QString strokeText(const Brush& brush);
+    void tellColor(const Brush& brush);
     void waitAgain(PendingStroke& command, std::function<void()> work);
     void doWaiting(PendingStroke& command, const std::function<void()>& work);
     std::function<void()> takeBackWaiting(PendingStroke& command);

@@ -63,7 +63,8 @@ void Document::endBehind()
         return;
     }
     m_behind->end();
-    beginPending(m_brush.blend == BlendMode::Erase ? tr("Erase stroke") : tr("Brush stroke"));
+    beginPending(strokeText(m_brush));
+    tellColor(m_brush);
 }
 
 /// Nothing of it stays; what waited for it goes on.
@@ -114,7 +115,7 @@ void Document::settle(LayerPatch& applied)
     m_behind.release()->deleteLater(); // it is telling this
     PendingStroke* command = std::exchange(m_pending, nullptr);
     if (command == nullptr) {
-        push(std::move(applied), tr("Brush stroke"));
+        push(std::move(applied), strokeText(m_brush));
     } else {
         complete(*command, std::move(applied));
     }

@@ -14,12 +14,6 @@ namespace {
 /// Faces that take longer to fill than the window may be held up: about 4 ms.
 constexpr std::size_t kFacesBehind = 20'000;
 
-QString strokeText(const Brush& brush)
-{
-    return brush.blend == BlendMode::Erase ? Document::tr("Erase stroke")
-                                           : Document::tr("Brush stroke");
-}
-
 QString fillText(std::size_t faces)
 {
     return faces == 1 ? Document::tr("Fill face")
@@ -27,6 +21,18 @@ QString fillText(std::size_t faces)
 }
 
 } // namespace
+
+QString Document::strokeText(const Brush& brush)
+{
+    return brush.blend == BlendMode::Erase ? tr("Erase stroke") : tr("Brush stroke");
+}
+
+void Document::tellColor(const Brush& brush)
+{
+    if (brush.blend != BlendMode::Erase) {
+        emit colorUsed(brush.color);
+    }
+}
 
 void Document::beginStroke(const Brush& brush,
                            StrokePace pace,
@@ -143,7 +149,12 @@ void Document::finish()
     if (!m_stroke) {
         return;
     }
-    push(finishStroke(), strokeText(m_brush));
+    LayerPatch applied = finishStroke();
+    const bool isEmpty = applied.texels.isEmpty();
+    push(std::move(applied), strokeText(m_brush));
+    if (!isEmpty) {
+        tellColor(m_brush);
+    }
 }
 
 /// There is one, painted at once.
@@ -203,6 +214,7 @@ void Document::fill(const std::vector<FaceId>& faces,
         if (isPaintShown(layers(), layer, BlendMode::Normal)) {
             emit fillPlaced(faces, color);
         }
+        emit colorUsed(color);
         return;
     }
     LayerPatch patch{layer, trixel::fillFaces(painted(layer), faces, texel)};
@@ -213,6 +225,7 @@ void Document::fill(const std::vector<FaceId>& faces,
     rects = showPaint(layers(), std::move(rects), m_project.texels);
     emit changed(changeOf(std::move(rects), texels()));
     push(std::move(patch), text);
+    emit colorUsed(color);
 }
 
 } // namespace trixel::ui

@@ -49,8 +49,6 @@
 #include "ui/window/work_panels.h"
 #include "ui/window/workspace.h"
 
-#include <utility>
-
 namespace trixel::ui {
 
 namespace {
@@ -305,13 +303,7 @@ void MainWindow::connectView()
         m_colors.choose(color);
     });
     // What was painted with is worth finding again.
-    connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
-        const std::uint64_t texels = m_document.state().texels;
-        const bool painted = std::exchange(m_texelsSeen, texels) != texels;
-        if (index > 0 && painted && m_settings.tool() != Tool::Eraser) {
-            m_colors.remember();
-        }
-    });
+    connect(&m_document, &Document::colorUsed, &m_colors, &BrushColors::remember);
     connect(&m_files, &ProjectFiles::sampleOpened, m_viewport, [this] {
         m_viewport->lookFrom(kSampleYaw, kSamplePitch, kSampleCloseness);
     });
@@ -322,7 +314,6 @@ void MainWindow::takeDocument()
 {
     m_center->setCurrentWidget(m_document.isOpen() ? static_cast<QWidget*>(m_viewport)
                                                    : m_center->widget(0));
-    m_texelsSeen = m_document.state().texels;
     if (m_document.isOpen()) {
         const float size = m_document.surface()->size();
         const TexelFormat& format = m_document.texels().format();

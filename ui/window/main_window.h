@@ -115,7 +115,6 @@ private:
     InspectActions* m_inspectActions = nullptr;
     LookActions* m_lookActions = nullptr;
     PanelActions* m_panelActions = nullptr;
-    std::uint64_t m_texelsSeen = 0; ///< the document's texels when its history last moved
     bool m_mayClose = false;
 };
 

@@ -163,7 +163,7 @@ private slots:
         QTest::mouseClick(red, Qt::LeftButton);
         QCOMPARE(m_colors->color(), QColor(0xd8342b));
         QVERIFY(m_colors->recent().empty()); // not before something was painted with it
-        m_colors->remember();
+        m_colors->remember(m_settings->brush().color);
         QCOMPARE(m_colors->recent().front(), QColor(0xd8342b));
         QVERIFY(named<SwatchButton>("Recent colour #d8342b"));
     }
@@ -210,11 +210,11 @@ private slots:
     {
         for (int k = 0; k < 30; ++k) {
             m_colors->choose(QColor(k, 0, 0));
-            m_colors->remember();
+            m_colors->remember(m_settings->brush().color);
         }
         QCOMPARE(m_colors->recent().size(), BrushColors::kRecentMax);
         m_colors->choose(QColor(25, 0, 0));
-        m_colors->remember();
+        m_colors->remember(m_settings->brush().color);
         QCOMPARE(m_colors->recent().size(), BrushColors::kRecentMax);
         QCOMPARE(m_colors->recent().front(), QColor(25, 0, 0));
     }

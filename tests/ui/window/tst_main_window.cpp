@@ -282,6 +282,28 @@ private slots:
         QVERIFY(widgetNamed<QWidget>(*m_window, "Recent colour #ff0000"));
     }
 
+    void onlyColorsPaintedWithAreRecent()
+    {
+        const auto choose = [&](std::array<float, 4> color) {
+            Brush brush = m_window->settings().brush();
+            brush.color = color;
+            m_window->settings().setBrush(brush);
+        };
+        choose({1, 0, 0, 1});
+        fillFace(1);
+        choose({0, 1, 0, 1});
+        document().undoStack().undo();
+        document().undoStack().redo();
+        TexelPatch patch; // as an import leaves it
+        patch.addFace(FaceId{2}, document().texels().face(FaceId{1}));
+        QVERIFY(document().applyPatch(patch, document().state(), "Import"));
+        LayerStack layers(document().texels());
+        layers.insert(0, {});
+        QVERIFY(document().editLayers(layers, kBaseLayer, "Add layer"));
+        QVERIFY(widgetNamed<QWidget>(*m_window, "Recent colour #ff0000"));
+        QVERIFY(!widgetNamed<QWidget>(*m_window, "Recent colour #00ff00"));
+    }
+
     void goToFaceLooksAtItFromItsFront()
     {
         Viewport& view = m_window->viewport();
