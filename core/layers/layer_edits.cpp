@@ -115,6 +115,18 @@ TexelStore layerOfPatch(const TexelPatch& patch, const TexelStore& shown)
     return layer;
 }
 
+TexelPatch patchTo(const TexelStore& texels, const TexelStore& shown)
+{
+    TexelPatch patch;
+    for (std::uint32_t f = 0; f < shown.faceCount(); ++f) {
+        const FaceTexels& face = texels.face(faceId(f));
+        if (!face.sharesBytesWith(shown.face(faceId(f))) && !(face == shown.face(faceId(f)))) {
+            patch.addFace(faceId(f), face);
+        }
+    }
+    return patch;
+}
+
 Result<TexelStore>
 layerAlone(const LayerStack& layers, LayerId layer, Threads threads, Progress& progress)
 {

@@ -41,6 +41,10 @@ std::vector<std::byte> coveringTexel(const TexelFormat& base, std::span<const st
 /// changes a texel, none elsewhere. \param patch  to come; keeps levels (checked)
 TexelStore layerOfPatch(const TexelPatch& patch, const TexelStore& shown);
 
+/// What brings texels that are shown to others, for `layerOfPatch`. \param texels  of the same
+/// faces, format and levels
+TexelPatch patchTo(const TexelStore& texels, const TexelStore& shown);
+
 /// The texels of a layer alone for export: of the base as they are, of a layer its channels and
 /// its coverage times its opacity as the format's opacity.
 Result<TexelStore>

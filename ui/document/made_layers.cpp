@@ -78,16 +78,4 @@ LevelCost costOfLevels(const Project& project, const FaceMap<Level>& levels)
     return cost;
 }
 
-TexelPatch patchTo(const TexelStore& texels, const TexelStore& shown)
-{
-    TexelPatch patch;
-    for (std::uint32_t f = 0; f < shown.faceCount(); ++f) {
-        const FaceTexels& face = texels.face(faceId(f));
-        if (!face.sharesBytesWith(shown.face(faceId(f))) && !(face == shown.face(faceId(f)))) {
-            patch.addFace(faceId(f), face);
-        }
-    }
-    return patch;
-}
-
 } // namespace trixel::ui

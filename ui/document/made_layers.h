@@ -31,7 +31,4 @@ Result<LayersEdit> withOtherLevels(const Project& project,
 /// `levelCost` of all layers together.
 LevelCost costOfLevels(const Project& project, const FaceMap<Level>& levels);
 
-/// Brings what is shown to other texels. \param texels  of the same levels
-TexelPatch patchTo(const TexelStore& texels, const TexelStore& shown);
-
 } // namespace trixel::ui

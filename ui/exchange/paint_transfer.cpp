@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "core/io/channel_colors.h"
+#include "core/layers/layer_edits.h"
 #include "ui/dialogs/format_choice.h"
 #include "ui/document/made_layers.h"
 #include "ui/exchange/other_file.h"
