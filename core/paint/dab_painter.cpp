@@ -335,11 +335,7 @@ void DabPainter::touch(const Piece& piece, bool isSpreadNow)
     const TouchedRect& more = piece.touched;
     extend(rect, more.x, more.y, more.width, more.height);
     rect.face = piece.face->id();
-    if (isSpreadNow) {
-        const std::uint32_t side = piece.face->level().resolution();
-        extend(rect, 0, 0, side, side);
-        rect.wholeFace = true;
-    }
+    rect.wholeFace = rect.wholeFace || isSpreadNow;
 }
 
 void DabPainter::makeWritable(TexelStore& store)

@@ -45,7 +45,8 @@ public:
                std::span<const FaceId> faces,
                TexelStore& store);
 
-    /// What changed since the last call, each face once, in ascending order.
+    /// What changed since the last call, each face once, in ascending order. Of a face that was
+    /// constant (`wholeFace`) the rectangle is what was painted.
     std::vector<TouchedRect> takeTouched();
 
     /// What all dabs changed; the painter begins anew.

@@ -38,6 +38,12 @@ TouchedRect wholeFace(FaceId face, Level level)
     return {face, 0, 0, side, side, true};
 }
 
+/// Whether the rest of the face looks as before, even where paint was the first on it.
+bool isInPart(const TouchedRect& rect, Level level)
+{
+    return rect.width < level.resolution() || rect.height < level.resolution();
+}
+
 } // namespace
 
 TexelStore& paintedTexels(LayerStack& layers, LayerId layer, TexelStore& shown)
@@ -48,12 +54,17 @@ TexelStore& paintedTexels(LayerStack& layers, LayerId layer, TexelStore& shown)
 std::vector<TouchedRect>
 showPaint(const LayerStack& layers, std::vector<TouchedRect> rects, TexelStore& shown)
 {
-    if (layers.isPlain() || rects.empty()) {
+    if (layers.isPlain()) {
+        for (TouchedRect& rect : rects) {
+            rect = rect.wholeFace ? wholeFace(rect.face, shown.face(rect.face).level()) : rect;
+        }
         return rects;
     }
     std::vector<bool> wereConstant(rects.size());
     for (std::size_t k = 0; k < rects.size(); ++k) {
-        wereConstant[k] = shown.face(rects[k].face).isConstant();
+        const FaceTexels& before = shown.face(rects[k].face);
+        wereConstant[k] = before.isConstant();
+        rects[k].wholeFace = rects[k].wholeFace && !isInPart(rects[k], before.level());
     }
     recompose(layers, rects, shown, Threads::all());
     for (std::size_t k = 0; k < rects.size(); ++k) {

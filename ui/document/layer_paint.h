@@ -27,7 +27,8 @@ struct LayerPatch
 /// The texels that paint on a layer changes. \param shown  of the stack
 TexelStore& paintedTexels(LayerStack& layers, LayerId layer, TexelStore& shown);
 
-/// Brings what is shown up to date after paint. Does nothing for a plain stack.
+/// Brings what is shown, unless it is painted itself, up to date after paint. Where paint is the
+/// first on a face of one value, only the texels it reached are put together.
 /// \param rects  of the painted texels, each face once
 /// \return       of what is shown
 std::vector<TouchedRect>

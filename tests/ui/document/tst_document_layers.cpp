@@ -4,6 +4,7 @@
 
 #include "core/layers/layer_edits.h"
 #include "tests/ui/document/layered_fixture.h"
+#include "ui/document/layer_paint.h"
 
 #include <algorithm>
 #include <random>
@@ -215,6 +216,30 @@ private slots:
         changed.clear();
         stack().undo();
         QCOMPARE(facesTold(changed), facesThatDiffer(before, painted));
+    }
+
+    void firstPaintOnAFineFaceIsPutTogetherOnlyWhereItLies()
+    {
+        const Project project = gridProject(1, 6);
+        TexelStore shown = project.texels;
+        (void)shown.writable(FaceId{0});
+        LayerStack layers(shown);
+        const LayerId layer = layers.insert(0, {});
+        const std::size_t far = shown.face(FaceId{0}).level().texelCount() - 1;
+        const std::vector<std::byte> mark(shown.format().texelBytes(), std::byte{77});
+        std::ranges::copy(mark, shown.writable(FaceId{0}).last(mark.size()).begin());
+        Stroke stroke(project.surface, brushOf(1), Ground::layer());
+        auto rects = stroke.add({FaceId{0}, {0.3F, 0.3F}, 1, 0}, layers.texels(layer));
+        QVERIFY(rects.front().face == FaceId{0} && rects.front().wholeFace);
+        rects = showPaint(layers, {rects.front()}, shown);
+        QVERIFY(!rects.front().wholeFace && rects.front().width < 64);
+        QVERIFY(std::ranges::equal(shown.face(FaceId{0}).texel(far), mark)); // left alone
+        QVERIFY(shown.face(FaceId{0}) != layers.base().face(FaceId{0}));
+        std::ranges::copy(layers.base().face(FaceId{0}).texel(far),
+                          shown.writable(FaceId{0}).last(mark.size()).begin());
+        NoProgress progress;
+        QVERIFY(shown.face(FaceId{0}) ==
+                composed(layers, Threads::all(), progress)->shown.face(FaceId{0}));
     }
 
     void erasingALayerShowsWhatLiesBelowToTheBit()
