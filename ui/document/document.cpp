@@ -49,7 +49,7 @@ Document::Document(QObject* parent)
     connect(m_storedFaces, &StoredFacesWatch::damaged, this, &Document::notice);
     connect(&m_undo, &QUndoStack::indexChanged, this, &Document::announceModified);
     m_strokeThread.setMaxThreadCount(1);
-    m_composer = std::make_unique<LayerComposer>(m_strokeThread);
+    m_composer = std::make_unique<LayerComposer>();
     connect(m_composer.get(),
             &LayerComposer::composed,
             this,
@@ -67,6 +67,11 @@ Document::~Document()
 {
     // The stack dies after this object's signals do; nobody is to hear of it.
     m_undo.disconnect(this);
+}
+
+void Document::useJobs(BackgroundJobs& jobs)
+{
+    m_composer->useJobs(jobs);
 }
 
 void Document::open(Project project, const QString& path, const QString& title)

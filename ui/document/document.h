@@ -25,6 +25,7 @@ struct SceneViews;
 
 namespace trixel::ui {
 
+class BackgroundJobs;
 class StoredFacesWatch;
 class BehindStroke;
 class LayerComposer;
@@ -73,6 +74,10 @@ public:
     /// \param title what to call it while it has no file
     void open(Project project, const QString& path, const QString& title);
 
+    /// Layers that take time to be put together are one of these jobs from now on, to be seen and
+    /// cancelled, which leaves all as it was. \param jobs  outlives all edits
+    void useJobs(BackgroundJobs& jobs);
+
     bool isOpen() const { return m_project.surface != nullptr; }
     /// Null before a project is open.
     const std::shared_ptr<const Surface>& surface() const { return m_project.surface; }
@@ -115,7 +120,7 @@ public:
     /// \param goesOn  whether it becomes one step with a change of the same layer's settings right
     ///                before, if it is one, too
     /// \return        whether it was done; refused with `notice` where it cannot be, and while a
-    ///                stroke is settling (see `whenSettled`)
+    ///                stroke is settling (see `whenPainted`)
     bool editLayers(LayerStack next, LayerId active, const QString& text, bool goesOn = false);
 
     QUndoStack& undoStack() { return m_undo; }
@@ -160,6 +165,9 @@ public:
     bool isSettling() const;
     /// Calls `work` once texels hold all that was painted: at once, unless something is settling.
     void whenSettled(std::function<void()> work);
+    /// Calls `work` once layers hold all that was painted, whatever is known of their look: at
+    /// once, unless paint is settling or something waits already.
+    void whenPainted(std::function<void()> work);
 
     /// One undo step, on the active layer; `color` as in `Brush::color`. Very many faces are filled
     /// behind. Refused with `notice` where that layer is hidden.
@@ -200,6 +208,8 @@ signals:
     void dabsPlaced(const trixel::Brush& brush, const std::vector<trixel::PlacedDab>& dabs);
     /// Faces that will have this colour later.
     void fillPlaced(const std::vector<trixel::FaceId>& faces, const std::array<float, 4>& color);
+    /// A stroke or a fill in this colour became a step.
+    void colorUsed(const std::array<float, 4>& color);
     /// What was placed is in the texels, which `changed` has told; or was taken back, all of it.
     void settled(bool isInTexels);
     /// One sentence about something that was refused.
@@ -208,8 +218,6 @@ signals:
 private:
     friend class PendingStroke;
     friend class SwapCreases;
-    /// A stroke or a fill in this colour became a step.
-    void colorUsed(const std::array<float, 4>& color);
     friend class SwapLayers;
     friend class SwapPatch;
     friend class SwapStore;
@@ -233,6 +241,8 @@ private:
     void finish();
     bool isPaintSettling() const;
     void watch(std::unique_ptr<BehindStroke> work);
+    static QString strokeText(const Brush& brush);
+    void tellColor(const Brush& brush);
     void endBehind();
     void dropBehind();
     void settle(LayerPatch& applied);
@@ -241,8 +251,6 @@ private:
     void play(const KeptStroke& kept);
     bool hasUnsettled() const;
     void wait(const QString& text, std::function<void()> work);
-    static QString strokeText(const Brush& brush);
-    void tellColor(const Brush& brush);
     void waitAgain(PendingStroke& command, std::function<void()> work);
     void doWaiting(PendingStroke& command, const std::function<void()>& work);
     std::function<void()> takeBackWaiting(PendingStroke& command);
@@ -266,7 +274,7 @@ private:
     void compose(const Layered& now);
     void dropComposing();
     void layersComposed();
-    void takeBackLayers(const QString& why);
+    void takeBackLayers(const Error& why);
     StateId stateBelowWaiting() const;
     friend class SwapViews;
     friend class ViewBookmarks;

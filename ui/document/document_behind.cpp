@@ -37,6 +37,15 @@ void Document::whenSettled(std::function<void()> work)
     }
 }
 
+void Document::whenPainted(std::function<void()> work)
+{
+    if (isPaintSettling() || !m_later.empty()) {
+        m_later.push_back({nullptr, std::move(work)});
+    } else {
+        work();
+    }
+}
+
 void Document::watch(std::unique_ptr<BehindStroke> work)
 {
     m_behind = std::move(work);

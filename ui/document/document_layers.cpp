@@ -141,7 +141,7 @@ void Document::swapLayers(LayersState& state, bool changesLevels)
 {
     cancelStroke();
     Layered now{std::move(m_project.texels), std::move(m_project.layers)};
-    const bool isKnown = !m_composer->isRunning();
+    const bool isKnown = m_composer->isCurrent();
     m_project.layers = std::move(state.layers);
     std::swap(m_activeLayer, state.active);
     std::optional<Change> change;
@@ -152,7 +152,7 @@ void Document::swapLayers(LayersState& state, bool changesLevels)
         change = isNamed ? changeBetween(now.shown, texels()) : Change();
     } else {
         m_project.texels = now.shown; // until they are known
-        compose(now);
+        compose(isKnown ? now : Layered());
     }
     state.layers = std::move(now.layers);
     state.shown.reset();
@@ -171,7 +171,7 @@ void Document::swapLayers(LayersState& state, bool changesLevels)
     }
 }
 
-/// \param now  what is shown, and the layers it was made of; known where none are worked out
+/// \param now  what is shown, and the layers it was made of; nothing where they do not agree
 void Document::compose(const Layered& now)
 {
     if (!hasUnsettled()) {
@@ -184,7 +184,7 @@ void Document::compose(const Layered& now)
 /// What they look like is known otherwise.
 void Document::dropComposing()
 {
-    if (m_composer->isRunning()) {
+    if (!m_composer->isCurrent()) {
         m_composer->drop();
         QMetaObject::invokeMethod(this, &Document::layersComposed, Qt::QueuedConnection); // then
     }
@@ -215,14 +215,18 @@ StateId Document::stateBelowWaiting() const
     return step != nullptr ? step->state() : m_openedState;
 }
 
-/// Nothing can show these layers: back to what was shown before they were asked for.
-void Document::takeBackLayers(const QString& why)
+/// These layers cannot be shown, or are not to be: back to the last whose look is known.
+void Document::takeBackLayers(const Error& why)
 {
-    emit notice(why);
+    if (why.kind != ErrorKind::Cancelled) {
+        emit notice(QString::fromStdString(why.message));
+    }
     bool isBack = false;
     while (!isBack && m_undo.canUndo()) {
-        isBack = dynamic_cast<const SwapLayers*>(m_undo.command(m_undo.index() - 1)) != nullptr;
+        const QUndoCommand* last = m_undo.command(m_undo.index() - 1);
+        const bool changesLayers = dynamic_cast<const SwapLayers*>(last) != nullptr;
         m_undo.undo();
+        isBack = changesLayers && m_composer->isCurrent();
     }
     layersComposed();
 }

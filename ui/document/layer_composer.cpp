@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/layer_composer.h"
 
-#include <QtConcurrent>
-
+#include "core/layers/face_layers.h"
 #include "ui/document/layer_paint.h"
 #include "ui/document/released_elsewhere.h"
 
 #include <algorithm>
-#include <atomic>
-#include <new>
 #include <utility>
 
 namespace trixel::ui {
@@ -18,51 +15,44 @@ struct LayerComposer::Work
 {
     LayerStack next;
     Layered before;
-    Result<Layered> made = contentsError("There is not enough memory for this.");
+    Layered made;
     std::optional<Change> change;
-    std::atomic<bool> stop = false;
 };
 
 namespace {
-
-class StopProgress final : public Progress
-{
-public:
-    explicit StopProgress(const std::atomic<bool>& stop)
-        : m_stop(stop)
-    {
-    }
-    bool report(double /*fraction*/) override { return !m_stop; }
-
-private:
-    const std::atomic<bool>& m_stop;
-};
 
 /// Faces that more than a few milliseconds of looking each up and naming it are spent on.
 constexpr std::size_t kManyFaces = 20'000;
 /// Texels of layers that a core puts together in some milliseconds.
 constexpr std::size_t kManyTexels = 300'000;
 
-std::size_t texelsInMemory(const TexelStore& texels)
+/// Texels of layers that go into what a face looks like. \param shown  layers of the stack
+std::size_t
+texelsPutTogether(const TexelStore& base, std::span<const Layer* const> shown, FaceId face)
 {
-    std::size_t count = 0;
-    for (std::uint32_t f = 0; f < texels.faceCount() && count < kManyTexels; ++f) {
-        const FaceTexels& face = texels.face(faceId(f));
-        count += face.isConstant() ? 1 : face.level().texelCount();
+    bool isConstant = base.face(face).isConstant();
+    std::size_t covering = 0;
+    for (const Layer* layer : shown) {
+        if (mayCover(*layer, face)) {
+            isConstant = isConstant && layer->texels.face(face).isConstant();
+            ++covering;
+        }
     }
-    return count;
+    return covering * (isConstant ? 1 : base.face(face).level().texelCount());
 }
 
 } // namespace
 
 bool isQuicklyComposed(const LayerStack& layers)
 {
-    if (layers.base().faceCount() * (layers.layers().size() + 1) > kManyFaces) {
+    const TexelStore& base = layers.base();
+    if (base.faceCount() * (layers.layers().size() + 1) > kManyFaces) {
         return false;
     }
+    const std::vector<const Layer*> shown = shownLayers(layers);
     std::size_t texels = 0;
-    for (const Layer& layer : layers.layers()) {
-        texels += texelsInMemory(layer.texels);
+    for (std::uint32_t f = 0; f < base.faceCount() && texels < kManyTexels; ++f) {
+        texels += texelsPutTogether(base, shown, faceId(f));
     }
     return texels < kManyTexels;
 }
@@ -80,11 +70,6 @@ std::optional<Change> changeBetween(const TexelStore& before, const TexelStore& 
     return Change{wholeFaces(after, *faces)};
 }
 
-LayerComposer::LayerComposer(QThreadPool& thread)
-    : m_thread(thread)
-{
-}
-
 LayerComposer::~LayerComposer()
 {
     drop();
@@ -93,6 +78,7 @@ LayerComposer::~LayerComposer()
 void LayerComposer::start(LayerStack next, const Layered& now)
 {
     m_wanted = std::move(next);
+    m_isCurrent = false;
     if (!isRunning()) {
         m_now = now;
         begin();
@@ -104,53 +90,58 @@ void LayerComposer::begin()
     m_work = releasedElsewhere(std::make_unique<Work>());
     m_work->next = *std::exchange(m_wanted, {});
     m_work->before = m_now;
-    m_watcher = std::make_unique<QFutureWatcher<void>>();
-    connect(m_watcher.get(), &QFutureWatcher<void>::finished, this, &LayerComposer::takeResult);
-    m_watcher->setFuture(QtConcurrent::run(&m_thread, [work = m_work] {
-        StopProgress progress(work->stop);
-        try {
-            work->made = recomposed(std::move(work->next), work->before, Threads::all(), progress);
-            if (work->made) {
-                work->change = changeBetween(work->before.shown, work->made->shown);
+    m_job = &m_jobs->run(
+        tr("Putting layers together…"),
+        [work = m_work](Progress& progress) -> Status {
+            return recomposed(std::move(work->next), work->before, Threads::all(), progress)
+                .map([&](Layered&& made) {
+                    work->change = changeBetween(work->before.shown, made.shown);
+                    work->made = std::move(made);
+                });
+        },
+        [self = QPointer(this), work = m_work](Status made) {
+            if (self && self->m_work == work) {
+                self->takeResult(std::move(made));
             }
-        } catch (const std::bad_alloc&) {
-            // Told as what `made` began with.
-        }
-    }));
+        });
 }
 
 void LayerComposer::drop()
 {
     if (m_work) {
-        m_work->stop = true;
-        m_watcher->disconnect(this);
-        m_watcher.release()->deleteLater(); // it may be telling this
         m_work.reset();
+        if (m_job) {
+            m_job->cancel();
+        }
     }
     m_wanted.reset();
     m_now = {};
+    m_isCurrent = true;
 }
 
-void LayerComposer::takeResult()
+void LayerComposer::takeResult(Status made)
 {
     const std::shared_ptr<Work> work = std::exchange(m_work, nullptr);
-    m_watcher.release()->deleteLater(); // it is telling this
-    if (work->made) {
-        m_now = *work->made;
+    if (m_job->isCancelled() && std::exchange(m_wanted, {})) {
+        made = cancelled(); // that, too
+    }
+    if (made) {
+        m_now = work->made;
     }
     if (m_wanted) {
         begin();
     } else {
         m_now = {};
+        m_isCurrent = made.has_value();
     }
-    if (work->made) {
-        emit composed(work->made->shown, work->change);
+    if (made) {
+        emit composed(work->made.shown, work->change);
     }
     if (!isRunning()) {
-        if (work->made) {
+        if (made) {
             emit finished();
         } else {
-            emit failed(QString::fromStdString(work->made.error().message));
+            emit failed(made.error());
         }
     }
 }

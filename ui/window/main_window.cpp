@@ -125,6 +125,7 @@ void MainWindow::makeCenter()
     m_viewport->useSelection(m_selection);
     m_viewport->useInspection(m_inspection);
     m_viewport->useJobs(m_jobs);
+    m_document.useJobs(m_jobs);
     m_viewMap = new ViewMap(m_document, m_settings, m_filterScene, *m_viewport, m_viewport);
     m_fileActions = new FileActions(m_document, m_selection, m_files, *m_messages, *this);
     m_center = new QStackedWidget;

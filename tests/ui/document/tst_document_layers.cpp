@@ -4,6 +4,7 @@
 
 #include "core/layers/layer_edits.h"
 #include "tests/ui/document/layered_fixture.h"
+#include "ui/document/background_job.h"
 #include "ui/document/layer_paint.h"
 
 #include <algorithm>
@@ -436,7 +437,8 @@ private slots:
         QVERIFY(!setOpacity(*m_document, layer, 0.5F));
         QCOMPARE(notice.size(), 1);
         bool isDone = false;
-        m_document->whenSettled([&] { isDone = setOpacity(*m_document, layer, 0.5F); });
+        m_document->whenPainted([&] { isDone = setOpacity(*m_document, layer, 0.5F); });
+        QVERIFY(!isDone);
         waitUntilSettled();
         QVERIFY(isDone);
         QVERIFY(isShown(*m_document));
@@ -473,6 +475,29 @@ private slots:
         QVERIFY(picture().shown == plain);
     }
 
+    /// The layer itself holds one value a face; what lies below is what takes time.
+    void aFillOverFinePaintIsWorkedOutElsewhere()
+    {
+        Project project = gridProject(1, 10);
+        for (const FaceId face : {FaceId{0}, FaceId{1}}) {
+            (void)project.texels.writable(face);
+        }
+        m_document->open(std::move(project), {}, "fine");
+        const LayerId layer = addLayer(*m_document, "Layer 1");
+        QVERIFY(!m_document->isSettling()); // it covers nothing
+        m_document->fillFaces(std::array{FaceId{0}, FaceId{1}}, kLayerBlue);
+        const LayersPicture filled = picture();
+        setOpacity(*m_document, layer, 0.5F);
+        QVERIFY(m_document->isSettling());
+        waitUntilSettled();
+        QVERIFY(isShown(*m_document));
+        stack().undo();
+        QVERIFY(picture() == filled);
+        setVisible(*m_document, layer, false);
+        QVERIFY(!m_document->isSettling()); // it is not looked at
+        QVERIFY(isShown(*m_document));
+    }
+
     void aDragOnAGreatMeshEndsWithTheLastAndIsOneStep()
     {
         openMany();
@@ -491,6 +516,37 @@ private slots:
         QVERIFY(isShown(*m_document));
         stack().undo();
         QVERIFY(picture() == painted);
+    }
+
+    void whatIsWorkedOutIsAJobAndCancellingItLeavesWhatWasThere()
+    {
+        BackgroundJobs jobs;
+        m_document->useJobs(jobs);
+        openMany();
+        const LayerId layer = addLayer(*m_document, "Layer 1");
+        QVERIFY(jobs.latest() && !jobs.latest()->title().isEmpty());
+        waitUntilSettled();
+        QVERIFY(jobs.isIdle());
+        paint(*m_document, brushOf(1));
+        const LayersPicture painted = picture();
+        const StateId before = m_document->state();
+        QSignalSpy notice(m_document.get(), &Document::notice);
+        setOpacity(*m_document, layer, 0.5F);
+        setVisible(*m_document, layer, false);
+        jobs.latest()->cancel();
+        bool isDone = false;
+        m_document->whenSettled([&] { isDone = true; });
+        waitUntilSettled();
+        QVERIFY(picture() == painted);
+        QCOMPARE(m_document->state(), before);
+        QVERIFY(isDone);
+        QCOMPARE(notice.size(), 0); // nobody is told what they chose
+        stack().redo();
+        stack().redo();
+        waitUntilSettled();
+        QVERIFY(!m_document->layers().settings(layer).isVisible);
+        QVERIFY(isShown(*m_document));
+        m_document.reset(); // before the jobs
     }
 
     void editsUndoneBeforeTheirLookIsThereLeaveWhatWasThere()
