@@ -21,6 +21,17 @@ tl::unexpected<Error> noRoom()
                              .toStdString());
 }
 
+/// With what they look like: faces that are as they were show what they showed.
+Result<LayersEdit>
+shown(LayerStack next, LayersEdit edit, const Project& before, Progress& progress)
+{
+    const Layered now{before.texels, before.layers};
+    return recomposed(std::move(next), now, Threads::all(), progress).map([&](Layered&& all) {
+        edit.all = std::move(all);
+        return edit;
+    });
+}
+
 } // namespace
 
 Result<LayersEdit> withPatchAsLayer(const Project& project,
@@ -39,12 +50,20 @@ Result<LayersEdit> withPatchAsLayer(const Project& project,
     settings.name = QFileInfo(file).completeBaseName().toStdString();
     const LayerId layer = next.insert(
         place ? *place + 1 : 0, std::move(settings), layerOfPatch(patch, project.texels));
-    const Layered before{project.texels, project.layers};
-    Result<Layered> all = recomposed(std::move(next), before, Threads::all(), progress);
-    if (!all) {
-        return tl::unexpected(all.error());
+    return shown(std::move(next), {{}, layer, false}, project, progress);
+}
+
+Result<LayersEdit> withLayerMerged(const Project& project, LayerId layer, Progress& progress)
+{
+    StageProgress merging(progress, 0, 0.6);
+    Result<LayerStack> next = mergedDown(project.layers, layer, Threads::all(), merging);
+    if (!next) {
+        return tl::unexpected(next.error());
     }
-    return LayersEdit{std::move(*all), layer, false};
+    const std::size_t place = *project.layers.indexOf(layer);
+    const LayerId below = place > 0 ? project.layers.layers()[place - 1].id : kBaseLayer;
+    StageProgress showing(progress, 0.6, 1);
+    return shown(std::move(*next), {{}, below, false}, project, showing);
 }
 
 Result<LayersEdit> withOtherLevels(const Project& project,
@@ -59,12 +78,8 @@ Result<LayersEdit> withOtherLevels(const Project& project,
     if (!next) {
         return tl::unexpected(next.error());
     }
-    StageProgress composing(progress, 0.7, 1);
-    Result<Layered> all = composed(std::move(*next), Threads::all(), composing);
-    if (!all) {
-        return tl::unexpected(all.error());
-    }
-    return LayersEdit{std::move(*all), active, true};
+    StageProgress showing(progress, 0.7, 1);
+    return shown(std::move(*next), {{}, active, true}, project, showing);
 }
 
 LevelCost costOfLevels(const Project& project, const FaceMap<Level>& levels)

@@ -22,6 +22,10 @@ Result<LayersEdit> withPatchAsLayer(const Project& project,
                                     const QString& file,
                                     Progress& progress);
 
+/// A layer merged into the layer below it or the base, which is the active one then. Fails as
+/// `mergedDown`. \param layer  of the project's, shown (checked)
+Result<LayersEdit> withLayerMerged(const Project& project, LayerId layer, Progress& progress);
+
 /// All layers at other levels. Fails as `withLevels`. \param project  with layers (checked)
 Result<LayersEdit> withOtherLevels(const Project& project,
                                    LayerId active,

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/layers/layer_commands.h"
 
-#include <QScopedValueRollback>
-
-#include "core/layers/layer_edits.h"
 #include "ui/document/background_job.h"
 #include "ui/document/document.h"
+#include "ui/document/made_layers.h"
 #include "ui/layers/layer_words.h"
 
 #include <algorithm>
@@ -21,15 +19,17 @@ LayerCommands::LayerCommands(Document& document, BackgroundJobs& jobs, QObject* 
     connect(&document, &Document::layersChanged, this, &LayerCommands::changed);
     connect(&document, &Document::opened, this, &LayerCommands::changed);
     connect(&document, &Document::activeLayerChanged, this, &LayerCommands::changed);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
-        m_isComposing = m_isComposing && m_isApplying;
-    });
 }
 
-int LayerCommands::place() const
+int LayerCommands::placeOf(LayerId layer) const
 {
-    const auto index = m_document.layers().indexOf(m_document.activeLayer());
+    const auto index = m_document.layers().indexOf(layer);
     return index ? static_cast<int>(*index) : -1;
+}
+
+int LayerCommands::activePlace() const
+{
+    return placeOf(m_document.activeLayer());
 }
 
 LayerId LayerCommands::layerAt(int place) const
@@ -56,19 +56,19 @@ QString LayerCommands::whyNot(LayerCommand command) const
     case LayerCommand::Show:
         return isBase ? tr("The base is always shown.") : QString();
     case LayerCommand::MoveUp:
-        return isBase           ? tr("The base stays below all layers.")
-               : place() == top ? tr("It is the topmost layer.")
-                                : QString();
+        return isBase                 ? tr("The base stays below all layers.")
+               : activePlace() == top ? tr("It is the topmost layer.")
+                                      : QString();
     case LayerCommand::MoveDown:
-        return isBase         ? tr("The base stays below all layers.")
-               : place() == 0 ? tr("Only the base lies below.")
-                              : QString();
+        return isBase               ? tr("The base stays below all layers.")
+               : activePlace() == 0 ? tr("Only the base lies below.")
+                                    : QString();
     case LayerCommand::GoAbove:
-        return place() == top ? tr("Nothing lies above.") : QString();
+        return activePlace() == top ? tr("Nothing lies above.") : QString();
     case LayerCommand::GoBelow:
         return isBase ? tr("Nothing lies below the base.") : QString();
     case LayerCommand::MergeDown:
-        return whyNoMerge();
+        return whyNoMerge(m_document.activeLayer());
     case LayerCommand::Flatten:
         return layers.isPlain() ? tr("There are no layers.") : QString();
     case LayerCommand::Delete:
@@ -90,10 +90,10 @@ QString LayerCommands::whyNoRoom() const
                                   .arg(layers.layers().size());
 }
 
-QString LayerCommands::whyNoMerge() const
+QString LayerCommands::whyNoMerge(LayerId layer) const
 {
     const LayerStack& layers = m_document.layers();
-    const int from = place();
+    const int from = placeOf(layer);
     if (from < 0) {
         return tr("Nothing lies below the base.");
     }
@@ -113,21 +113,20 @@ void LayerCommands::run(LayerCommand command)
     if (!whyNot(command).isEmpty()) {
         return;
     }
+    const LayerId layer = m_document.activeLayer(); // it may be another when paint has settled
     switch (command) {
     case LayerCommand::Add:
-        whenStill([this] { add(); });
+        whenStill([this, layer] { add(layer); });
         break;
     case LayerCommand::Duplicate:
-        whenStill([this] { duplicate(); });
+        whenStill([this, layer] { duplicate(layer); });
         break;
     case LayerCommand::Rename:
         emit renameWanted();
         break;
-    case LayerCommand::Show: {
-        const LayerId layer = m_document.activeLayer();
+    case LayerCommand::Show:
         setVisible(layer, !m_document.layers().settings(layer).isVisible);
         break;
-    }
     case LayerCommand::MoveUp:
         moveBy(1);
         break;
@@ -140,15 +139,16 @@ void LayerCommands::run(LayerCommand command)
     case LayerCommand::GoBelow:
         go(-1);
         break;
-    case LayerCommand::MergeDown:
-        whenStill([this] { mergeDown(); });
+    case LayerCommand::MergeDown: // these two take what is shown
+        m_document.endStroke();
+        m_document.whenSettled([this, layer] { mergeDown(layer); });
         break;
     case LayerCommand::Flatten:
         m_document.endStroke();
-        m_document.whenSettled([this] { flatten(); }); // it takes what is shown
+        m_document.whenSettled([this] { flatten(); });
         break;
     case LayerCommand::Delete:
-        whenStill([this] { remove(); });
+        whenStill([this, layer] { remove(layer); });
         break;
     }
 }
@@ -158,25 +158,14 @@ void LayerCommands::run(LayerCommand command)
 void LayerCommands::whenStill(std::function<void()> edit)
 {
     m_document.endStroke();
-    if (m_isComposing) {
-        edit();
-        return;
-    }
-    m_document.whenSettled([this, edit = std::move(edit)] {
+    m_document.whenPainted([this, edit = std::move(edit)] {
         if (m_document.isOpen()) {
             edit();
         }
     });
 }
 
-void LayerCommands::apply(LayerStack next, LayerId active, const QString& text, bool goesOn)
-{
-    const QScopedValueRollback<bool> applying(m_isApplying, true);
-    const bool isDone = m_document.editLayers(std::move(next), active, text, goesOn);
-    m_isComposing = isDone && m_document.isSettling();
-}
-
-void LayerCommands::add()
+void LayerCommands::add(LayerId above)
 {
     LayerStack next =
         m_document.layers().isPlain() ? LayerStack(m_document.texels()) : m_document.layers();
@@ -185,23 +174,23 @@ void LayerCommands::add()
     }
     LayerSettings settings;
     settings.name = freeLayerName(next, tr("Layer %1")).toStdString();
-    const LayerId added = next.insert(static_cast<std::size_t>(place() + 1), std::move(settings));
-    apply(std::move(next), added, tr("Add layer"));
+    const auto place = static_cast<std::size_t>(placeOf(above) + 1);
+    const LayerId added = next.insert(place, std::move(settings));
+    m_document.editLayers(std::move(next), added, tr("Add layer"));
 }
 
-void LayerCommands::duplicate()
+void LayerCommands::duplicate(LayerId layer)
 {
     LayerStack next = m_document.layers();
-    const LayerId layer = m_document.activeLayer();
-    if (layer == kBaseLayer || !next.hasRoom()) {
+    const auto place = next.indexOf(layer);
+    if (!place || !next.hasRoom()) {
         return;
     }
     LayerSettings settings = next.settings(layer);
     const QString name = QString::fromStdString(settings.name);
     settings.name = tr("%1 copy").arg(name).left(kLongestName).toStdString();
-    const LayerId added =
-        next.insert(static_cast<std::size_t>(place() + 1), std::move(settings), next.texels(layer));
-    apply(std::move(next), added, tr("Duplicate layer"));
+    const LayerId added = next.insert(*place + 1, std::move(settings), next.texels(layer));
+    m_document.editLayers(std::move(next), added, tr("Duplicate layer"));
 }
 
 void LayerCommands::rename(LayerId layer, const QString& name)
@@ -251,7 +240,7 @@ void LayerCommands::change(LayerId layer,
         if (settings != m_document.layers().settings(layer)) {
             LayerStack next = m_document.layers();
             next.set(layer, std::move(settings));
-            apply(std::move(next), m_document.activeLayer(), text, goesOn);
+            m_document.editLayers(std::move(next), m_document.activeLayer(), text, goesOn);
         }
     });
 }
@@ -263,56 +252,42 @@ void LayerCommands::move(LayerId layer, std::size_t index)
         const auto from = next.indexOf(layer);
         if (from && *from != index && index < next.layers().size()) {
             next.move(layer, index);
-            apply(std::move(next), m_document.activeLayer(), tr("Move layer"));
+            m_document.editLayers(std::move(next), m_document.activeLayer(), tr("Move layer"));
         }
     });
 }
 
 void LayerCommands::moveBy(int places)
 {
-    move(m_document.activeLayer(), static_cast<std::size_t>(place() + places));
+    move(m_document.activeLayer(), static_cast<std::size_t>(activePlace() + places));
 }
 
 void LayerCommands::go(int places)
 {
-    m_document.setActiveLayer(layerAt(place() + places));
+    m_document.setActiveLayer(layerAt(activePlace() + places));
 }
 
-void LayerCommands::mergeDown()
+void LayerCommands::mergeDown(LayerId layer)
 {
-    if (!whyNoMerge().isEmpty()) {
+    if (!whyNoMerge(layer).isEmpty()) {
         return;
     }
-    const LayerId layer = m_document.activeLayer();
-    const LayerId below = layerAt(place() - 1);
     m_isMerging = true;
     emit changed();
     m_jobs.run(
         tr("Merging layers…"),
-        [layers = m_document.layers(), layer](Progress& progress) {
-            return mergedDown(layers, layer, Threads::all(), progress);
+        [project = m_document.snapshot(), layer](Progress& progress) {
+            return withLayerMerged(project, layer, progress);
         },
-        [this, below, madeFor = m_document.state().texels](Result<LayerStack> merged) {
+        [this, madeFor = m_document.state()](Result<LayersEdit> merged) {
             m_isMerging = false;
-            takeMerged(std::move(merged), below, madeFor);
+            if (merged) {
+                m_document.replaceLayers(std::move(*merged), madeFor, tr("Merge layer down"));
+            } else if (merged.error().kind != ErrorKind::Cancelled) {
+                emit failed(QString::fromStdString(merged.error().message));
+            }
             emit changed();
         });
-}
-
-void LayerCommands::takeMerged(Result<LayerStack> merged, LayerId below, std::uint64_t madeFor)
-{
-    if (!merged) {
-        if (merged.error().kind != ErrorKind::Cancelled) {
-            emit failed(QString::fromStdString(merged.error().message));
-        }
-        return;
-    }
-    if (m_document.isTakingSamples() || m_document.state().texels != madeFor) {
-        emit failed(tr("The layers were changed meanwhile: nothing was merged."));
-        return;
-    }
-    const LayerId active = merged->isPlain() ? kBaseLayer : below;
-    apply(std::move(*merged), active, tr("Merge layer down"));
 }
 
 /// What is shown becomes the base; hidden layers show nothing.
@@ -324,23 +299,24 @@ void LayerCommands::flatten()
     if (layers.empty()) {
         return;
     }
-    apply(LayerStack(m_document.texels()), kBaseLayer, tr("Flatten layers"));
-    if (hidden > 0) {
+    const bool isDone =
+        m_document.editLayers(LayerStack(m_document.texels()), kBaseLayer, tr("Flatten layers"));
+    if (isDone && hidden > 0) {
         emit done(hidden == 1 ? tr("Flattened; the hidden layer is gone.")
                               : tr("Flattened; the %1 hidden layers are gone.").arg(hidden));
     }
 }
 
-void LayerCommands::remove()
+void LayerCommands::remove(LayerId layer)
 {
-    const LayerId layer = m_document.activeLayer();
-    if (layer == kBaseLayer) {
+    LayerStack next = m_document.layers();
+    if (!next.indexOf(layer)) {
         return;
     }
-    const LayerId below = layerAt(place() - 1);
-    LayerStack next = m_document.layers();
+    const LayerId active = m_document.activeLayer();
+    const LayerId left = active == layer ? layerAt(placeOf(layer) - 1) : active;
     next.remove(layer);
-    apply(std::move(next), below, tr("Delete layer"));
+    m_document.editLayers(std::move(next), left, tr("Delete layer"));
 }
 
 } // namespace trixel::ui

@@ -3,7 +3,6 @@
 
 #include <QObject>
 
-#include "core/base/result.h"
 #include "core/layers/layer_stack.h"
 
 #include <array>
@@ -81,31 +80,28 @@ signals:
 
 private:
     void whenStill(std::function<void()> edit);
-    void apply(LayerStack next, LayerId active, const QString& text, bool goesOn = false);
     void change(LayerId layer,
                 const QString& text,
                 const std::function<void(LayerSettings&)>& edit,
                 bool goesOn = false);
-    void add();
-    void duplicate();
+    void add(LayerId above);
+    void duplicate(LayerId layer);
     void moveBy(int places);
     void go(int places);
-    void mergeDown();
-    void takeMerged(Result<LayerStack> merged, LayerId below, std::uint64_t madeFor);
+    void mergeDown(LayerId layer);
     void flatten();
-    void remove();
+    void remove(LayerId layer);
 
     QString whyNoRoom() const;
-    QString whyNoMerge() const;
-    /// Of the active layer, from the bottom; -1 for the base.
-    int place() const;
+    QString whyNoMerge(LayerId layer) const;
+    /// From the bottom; -1 for the base.
+    int placeOf(LayerId layer) const;
+    int activePlace() const;
     LayerId layerAt(int place) const;
 
     Document& m_document;
     BackgroundJobs& m_jobs;
     bool m_isMerging = false;
-    bool m_isApplying = false;
-    bool m_isComposing = false; ///< what the latest edit looks like is not known yet
 };
 
 } // namespace trixel::ui

@@ -462,8 +462,56 @@ private slots:
         fillFace(3);
         QTRY_VERIFY(m_window->jobs().isIdle());
         QCOMPARE(names(), (QStringList{"Layer 2", "Layer 1", "Base"}));
-        QVERIFY(m_window->messages().sentence().contains("nothing was merged"));
+        QVERIFY(m_window->messages().sentence().contains("nothing was done"));
         QVERIFY(button("Merge Down")->isEnabled());
+    }
+
+    void aMergeKeepsWhatWasSetMeanwhile()
+    {
+        Document document;
+        BackgroundJobs jobs;
+        LayerCommands commands(document, jobs);
+        document.open(gridProject(120, 2), {}, "many"); // so many faces that looks take a while
+        document.editLayers(layersOver(document.texels(), 3), LayerId{2}, "layers");
+        QTRY_VERIFY(!document.isSettling());
+        commands.run(LayerCommand::MergeDown);
+        QTest::qSleep(300); // it is made by now, as a rule, but not told
+        commands.setOpacity(LayerId{3}, 0.5F);
+        QVERIFY(document.isSettling());
+        QTRY_VERIFY(jobs.isIdle() && !document.isSettling());
+        QCOMPARE(document.layers().settings(LayerId{3}).opacity, 0.5F);
+    }
+
+    void whatIsAskedForWhilePaintSettlesIsDoneToTheLayerItWasAskedFor()
+    {
+        Document document;
+        BackgroundJobs jobs;
+        LayerCommands commands(document, jobs);
+        document.open(gridProject(8, 4), {}, "grid");
+        document.editLayers(layersOver(document.texels(), 3), LayerId{3}, "layers");
+        Brush brush;
+        brush.radius = 0.2F;
+        document.beginStroke(brush, StrokePace::Behind);
+        document.extendStroke({FaceId{0}, {0.3F, 0.3F}, 1, 0});
+        commands.run(LayerCommand::Delete);
+        QVERIFY(document.isSettling());
+        document.setActiveLayer(LayerId{1});
+        QTRY_VERIFY(!document.layers().has(LayerId{3}));
+        QVERIFY(document.layers().has(LayerId{1}));
+        QCOMPARE(document.activeLayer(), LayerId{1});
+    }
+
+    void layersThatGoChooseNoOther()
+    {
+        withLayers(3);
+        choose("Layer 3");
+        LayerStack next = document().layers();
+        next.remove(LayerId{3});
+        QVERIFY(document().editLayers(std::move(next), LayerId{1}, "without the top"));
+        QCOMPARE(document().activeLayer(), LayerId{1}); // not the row's neighbour
+        QCOMPARE(current(), "Layer 1");
+        document().undoStack().undo();
+        QCOMPARE(current(), "Layer 3");
     }
 
     void deleteTakesAwayTheActiveLayerAndTheLastLeavesAPlainTexture()
