@@ -274,6 +274,7 @@ void Renderer::drawSide(const Scene& scene, Filtering filtering, Side texels, Si
     const FilterSource source = sourceOf(style.filtering);
     Layer& shown = layer(texels);
     style.levelCut = source == FilterSource::Vertices ? shown.vertices.viewCut() : 0.0F;
+    style.levelsDropped = shown.mipDrop;
     m_surface->draw(scene.camera,
                     style,
                     source == FilterSource::Vertices ? shown.vertexCard : shown.card,

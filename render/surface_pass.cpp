@@ -282,6 +282,7 @@ void SurfacePass::setFilter(QOpenGLShaderProgram& program,
     m_scales.bind(9);
     program.setUniformValue("unitsPerPixel", 2 / (projection[0][0] * static_cast<float>(size.x)));
     program.setUniformValue("levelCut", style.levelCut);
+    program.setUniformValue("levelsDropped", static_cast<float>(style.levelsDropped));
     if (filtering != Filtering::Anisotropic) {
         return;
     }

@@ -35,6 +35,7 @@ struct SurfaceStyle
     bool pixelLevels = false; ///< levels found a pixel even where faces are small, for tests
     Filtering filtering = Filtering::Texels;
     float levelCut = 0;      ///< by which filtering over vertices shows all coarser than it would
+    int levelsDropped = 0;   ///< by which filtering over vertices takes texels to be coarser
     float pixelRatio = 1.0F; ///< device pixels of one line width
 };
 

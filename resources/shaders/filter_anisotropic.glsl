@@ -180,7 +180,7 @@ vec4 filteredTexel()
     vec2 own = ownTilt();
     vec3 moves = steps(viewPosition, own);
     float pixel2 = pixelVariance(viewPosition);
-    float texel2 = exp2(2.0 * log2Scale.y);
+    float texel2 = texelSize2(log2Scale);
     float pixel = 2.0 * sqrt(pixel2);
     float longest = longestOf(moves);
 

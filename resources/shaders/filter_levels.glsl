@@ -3,6 +3,7 @@
 // found a vertex.
 uniform float unitsPerPixel; // world length of a device pixel at distance 1
 uniform float levelCut; // by which all is shown coarser than a pixel, where it does not fit the card
+uniform float levelsDropped; // by which texels are shown coarser than they are
 
 // What a pixel averages, in view space. Everything in it is the same on both sides of an edge: it
 // comes from the point and from what is interpolated between mesh vertices. A face's own plane
@@ -40,6 +41,13 @@ float pixelVariance(vec3 point)
     return 0.25 * pixel * pixel;
 }
 
+// Squared edge of the texels that are shown about here. None is larger than its face.
+// \param scale  log2 of the length of edges about here, and of that of texels as they are
+float texelSize2(vec2 scale)
+{
+    return exp2(2.0 * min(scale.y + levelsDropped, scale.x));
+}
+
 // The level at which interpolation averages with a variance. A vertex's hexagon and the slopes about
 // it have 0.2917 of a texel's edge squared more than the texel, whose own is 1/24; base texels count
 // as points.
@@ -58,7 +66,7 @@ float seamlessLevel(vec3 point, vec2 tilt, vec2 scale)
     float along = dot(tilt, ray);
     float sum = 2.0 - 2.0 * along + tilt2 * (dot(ray, ray) + 1.0);
     float pixel2 = pixelVariance(point);
-    float texel2 = exp2(2.0 * scale.y);
+    float texel2 = texelSize2(scale);
     float least = 0.25 * texel2;
     float variance = sqrt(pixel2 * (pixel2 * areaOf(point, tilt) + least * sum) + least * least);
     return levelFor(scale, variance, texel2);
