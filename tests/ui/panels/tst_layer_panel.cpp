@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QPersistentModelIndex>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QStyleOptionSlider>
 #include <QTabBar>
@@ -217,6 +218,26 @@ private slots:
         QVERIFY(allTexels(document().texels()) == painted);
         clickEye("Layer 2");
         clickEye("Layer 2");
+        QVERIFY(isVisible("Layer 2"));
+    }
+
+    void allOfAnEyesPlaceIsTheEyes()
+    {
+        withLayers(2);
+        choose("Layer 1");
+        const QRect place = list().eyeRect(row("Layer 2")).adjusted(1, 1, -1, -1);
+        bool isShown = true;
+        for (const QPoint at : {place.topLeft(), place.bottomRight()}) {
+            QTest::mousePress(list().viewport(), Qt::LeftButton, {}, at);
+            isShown = !isShown;
+            QCOMPARE(isVisible("Layer 2"), isShown);
+            const QPoint name = list().visualRect(row("Layer 2")).center();
+            QTest::mouseMove(list().viewport(), name); // drags nothing
+            QTest::mouseRelease(list().viewport(), Qt::LeftButton, {}, at);
+            QCOMPARE(isVisible("Layer 2"), isShown);
+            QCOMPARE(current(), "Layer 1");
+        }
+        choose("Layer 2"); // beside it
         QVERIFY(isVisible("Layer 2"));
     }
 
@@ -503,15 +524,17 @@ private slots:
 
     void layersThatGoChooseNoOther()
     {
-        withLayers(3);
-        choose("Layer 3");
+        withLayers(4);
+        choose("Layer 4");
         LayerStack next = document().layers();
-        next.remove(LayerId{3});
-        QVERIFY(document().editLayers(std::move(next), LayerId{1}, "without the top"));
-        QCOMPARE(document().activeLayer(), LayerId{1}); // not the row's neighbour
-        QCOMPARE(current(), "Layer 1");
+        next.remove(LayerId{4});
+        QSignalSpy active(&document(), &Document::activeLayerChanged);
+        QVERIFY(document().editLayers(std::move(next), kBaseLayer, "without the top"));
+        QCOMPARE(active.size(), 1); // not for the row's neighbour
+        QCOMPARE(document().activeLayer(), kBaseLayer);
+        QCOMPARE(current(), "Base");
         document().undoStack().undo();
-        QCOMPARE(current(), "Layer 3");
+        QCOMPARE(current(), "Layer 4");
     }
 
     void deleteTakesAwayTheActiveLayerAndTheLastLeavesAPlainTexture()
