@@ -165,6 +165,9 @@ void ImportPanel::connectAll()
         m_picture.reset();
         m_pause.start();
     });
+    for (const auto moved : {&Document::layersChanged, &Document::activeLayerChanged}) {
+        connect(&m_document, moved, this, &ImportPanel::showState);
+    }
     connect(&m_pause, &QTimer::timeout, this, &ImportPanel::refresh);
 }
 
@@ -397,11 +400,12 @@ QString ImportPanel::stateText() const
     if (!m_picture) {
         return m_previewProblem.isEmpty() ? tr("Working out what the image reaches…") : QString();
     }
-    return tr("Reaches %1 faces with %2 texels; Apply takes %3.%4")
-        .arg(countText(m_picture->facesReached),
-             countText(m_picture->texelsReached),
-             secondsText(m_picture->seconds),
-             m_picture->isComplete ? QString() : tr(" Shown coarser than it will be."));
+    const QString reach = tr("Reaches %1 faces with %2 texels; Apply takes %3.")
+                              .arg(countText(m_picture->facesReached),
+                                   countText(m_picture->texelsReached),
+                                   secondsText(m_picture->seconds));
+    return reach + (m_picture->isComplete ? QString() : tr(" Shown coarser than it will be.")) +
+           placeText(m_document.layers(), m_document.activeLayer());
 }
 
 void ImportPanel::showState()

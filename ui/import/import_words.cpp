@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "ui/dialogs/format_choice.h"
+#include "ui/layers/layer_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,17 @@ QString secondsText(double seconds)
         return tr("about %1 seconds").arg(seconds, 0, 'g', 2);
     }
     return tr("about %1 minutes").arg(std::round(seconds / 60));
+}
+
+QString placeText(const LayerStack& layers, LayerId below)
+{
+    const auto place = layers.indexOf(below);
+    const auto above = layers.layers().subspan(place ? *place + 1 : 0);
+    const bool isCovered =
+        std::ranges::any_of(above, [](const Layer& layer) { return layer.settings.isVisible; });
+    return isCovered ? ' ' + tr("Shown over all layers, it will lie right above %1.")
+                                 .arg(layerName(layers, below))
+                     : QString();
 }
 
 QString problemText(const Error& error)

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "core/base/result.h"
+#include "core/layers/layer_stack.h"
 #include "ui/import/import_images.h"
 
 namespace trixel::ui {
@@ -23,6 +24,10 @@ QString colorText(const Image& image);
 QString channelName(const TexelFormat& format, int channel);
 /// "0.4 seconds", "about 3 minutes"
 QString secondsText(double seconds);
+
+/// " Shown over all layers, it will lie right above Lines.": where a preview, which lies over all,
+/// does not tell the place of an import; else nothing. \param below  the layer under it
+QString placeText(const LayerStack& layers, LayerId below);
 
 /// An error as a sentence: a capital at its beginning, but for names of files, and a full stop.
 QString problemText(const Error& error);

@@ -3,6 +3,7 @@
 // Bringing an image in, from the command to the texels, as the user does it.
 #include <QCheckBox>
 #include <QDragEnterEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QStandardItemModel>
 
@@ -70,6 +71,15 @@ private slots:
         const LayersPicture before = pictureOf(document());
         openPanelWith("Plane");
         waitForPreview();
+        const auto tells = [&] {
+            const QString said = widgetNamed<QLabel>(panel(), "State of the import")->text();
+            return said.endsWith(" it will lie right above Layer 1.");
+        };
+        QVERIFY(tells()); // the preview lies over all
+        document().setActiveLayer(document().layers().layers().back().id);
+        QVERIFY(!tells());
+        document().setActiveLayer(lower);
+        QVERIFY(tells());
         const std::vector<std::byte> expected = allTexels(panel().picture()->texels);
         apply();
         const auto layers = document().layers().layers();
