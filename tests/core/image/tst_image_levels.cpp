@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <random>
 
@@ -70,27 +71,24 @@ TEST(ImageLevelsTest, sRgbIsAveragedAsLight)
     EXPECT_EQ(std::to_integer<int>(half.pixels()[0]), 188); // 0.5 of the light
 }
 
+/// Of two pixels of three channels and opacity.
+void expectHalf(const std::vector<float>& pixels, const std::array<float, 4>& expected)
+{
+    const auto values = valuesOf(halved(floatImage(2, 1, pixels, 4), Threads{1}));
+    for (std::size_t c = 0; c < expected.size(); ++c) {
+        EXPECT_FLOAT_EQ(values[c], expected[c]) << c;
+    }
+}
+
 TEST(ImageLevelsTest, whatIsTransparentLendsNoColor)
 {
-    const Image half =
-        halved(floatImage(2, 1, {0.8F, 0.1F, 0.0F, 1.0F, 0.0F, 9.0F, 9.0F, 0.0F}, 4), Threads{1});
-    const auto values = valuesOf(half);
-    EXPECT_FLOAT_EQ(values[0], 0.8F);
-    EXPECT_FLOAT_EQ(values[1], 0.1F);
-    EXPECT_FLOAT_EQ(values[2], 0.0F);
-    EXPECT_FLOAT_EQ(values[3], 0.5F);
+    expectHalf({0.8F, 0.1F, 0, 1, 0, 9, 9, 0}, {0.8F, 0.1F, 0, 0.5F});
 }
 
 /// They are there for programs that look up colours on their own.
 TEST(ImageLevelsTest, hiddenColorsHaveAMeanWhereNothingIsSeen)
 {
-    const Image half =
-        halved(floatImage(2, 1, {0.8F, 0.2F, 0.0F, 0.0F, 0.4F, 0.2F, 1.0F, 0.0F}, 4), Threads{1});
-    const auto values = valuesOf(half);
-    EXPECT_FLOAT_EQ(values[0], 0.6F);
-    EXPECT_FLOAT_EQ(values[1], 0.2F);
-    EXPECT_FLOAT_EQ(values[2], 0.5F);
-    EXPECT_EQ(values[3], 0.0F);
+    expectHalf({0.8F, 0.2F, 0, 0, 0.4F, 0.2F, 1, 0}, {0.6F, 0.2F, 0.5F, 0});
 }
 
 TEST(ImageLevelsTest, threadsDoNotChangeTheResult)
