@@ -26,6 +26,20 @@ auto runWithinMemory(Work work) -> QFuture<std::invoke_result_t<Work>>
     });
 }
 
+/// The same of work that has several results, each told as soon as it is there: where memory runs
+/// out the future ends with those it has.
+template <class Made, class Work>
+QFuture<Made> runWithinMemory(Work work)
+{
+    return QtConcurrent::run([work = std::move(work)](QPromise<Made>& promise) {
+        try {
+            work(promise);
+        } catch (const std::bad_alloc&) {
+            // What is missing tells of it.
+        }
+    });
+}
+
 /// What came of it; nothing where there was no memory. \pre it has ended
 template <class Made>
 std::optional<Made> madeOf(const QFuture<Made>& future)

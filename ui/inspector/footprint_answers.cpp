@@ -2,11 +2,11 @@
 #include "ui/inspector/footprint_answers.h"
 
 #include <QElapsedTimer>
-#include <QtConcurrent>
 
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
 #include "ui/document/released_elsewhere.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/hover_filter.h"
 #include "ui/viewport/view_settings.h"
 
@@ -186,7 +186,7 @@ void FootprintAnswers::start()
                             m_source.valueRange(),
                             m_wantsWeights,
                             m_wantsExactWeights};
-    m_watcher.setFuture(QtConcurrent::run(
+    m_watcher.setFuture(runWithinMemory<FootprintAnswer>(
         [scene = m_source.scene(), bench = m_bench, question](QPromise<FootprintAnswer>& promise) {
             compute(promise, scene, bench, question);
         }));

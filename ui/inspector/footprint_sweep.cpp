@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/footprint_sweep.h"
 
-#include <QtConcurrent>
+#include "ui/document/run_within_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ void FootprintSweep::start(const std::shared_ptr<const FilterScene>& scene,
     m_watcher.cancel();
     m_points.clear();
     // What was under way tells a future that nobody watches any more, and ends at its next angle.
-    m_watcher.setFuture(QtConcurrent::run(
+    m_watcher.setFuture(runWithinMemory<SweepPoint>(
         [scene, method, range, angles = std::move(angles)](QPromise<SweepPoint>& promise) {
             const auto own = makeMethod(method);
             const auto exact = makeMethod({"exact", std::nullopt});

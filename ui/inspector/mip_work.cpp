@@ -2,9 +2,9 @@
 #include "ui/inspector/mip_work.h"
 
 #include <QPromise>
-#include <QtConcurrent>
 
 #include "core/io/ptx_reductions.h"
+#include "ui/document/run_within_memory.h"
 
 #include <utility>
 
@@ -68,8 +68,8 @@ void MipWork::start()
         return;
     }
     m_watcher.setFuture(
-        QtConcurrent::run([question = *std::exchange(m_question, std::nullopt)](
-                              QPromise<Answer>& promise) { compute(promise, question); }));
+        runWithinMemory<Answer>([question = *std::exchange(m_question, std::nullopt)](
+                                    QPromise<Answer>& promise) { compute(promise, question); }));
 }
 
 void MipWork::take(int index)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspector/net_filter.h"
 
-#include <QtConcurrent>
-
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/view_settings.h"
 
 #include <algorithm>
@@ -184,7 +183,7 @@ void NetFilter::begin(Picture& picture, const MethodChoice& method)
     work.look = m_settings.look();
     work.unit = m_place->unit;
     work.queries = [place = *m_place](int step) { return queriesOf(place, step); };
-    picture.watcher.setFuture(QtConcurrent::run(
+    picture.watcher.setFuture(runWithinMemory<MapBand>(
         [work = std::move(work)](QPromise<MapBand>& promise) { computeMap(promise, work); }));
 }
 

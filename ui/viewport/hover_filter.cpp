@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/hover_filter.h"
 
-#include <QtConcurrent>
-
 #include "core/study/views/view_map.h"
 #include "ui/document/document.h"
 #include "ui/document/filter_scene_source.h"
+#include "ui/document/run_within_memory.h"
 #include "ui/viewport/view_settings.h"
 
 #include <utility>
@@ -96,10 +95,10 @@ void HoverFilter::start()
     }
     m_isAsked = false;
     m_watcher.setFuture(
-        QtConcurrent::run([scene = m_source.scene(),
-                           method = m_settings.method(),
-                           range = m_source.valueRange(),
-                           question = *m_question](QPromise<FilteredTexel>& promise) {
+        runWithinMemory<FilteredTexel>([scene = m_source.scene(),
+                                        method = m_settings.method(),
+                                        range = m_source.valueRange(),
+                                        question = *m_question](QPromise<FilteredTexel>& promise) {
             compute(promise, scene, method, range, question);
         }));
 }

@@ -2,7 +2,8 @@
 #include "ui/viewport/pixel_map.h"
 
 #include <QRect>
-#include <QtConcurrent>
+
+#include "ui/document/run_within_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ void PixelMap::begin(MapWork work)
                         std::nanf(""));
     }
     m_step = kMapSteps[0];
-    m_watcher.setFuture(QtConcurrent::run(
+    m_watcher.setFuture(runWithinMemory<MapBand>(
         [work = std::move(work)](QPromise<MapBand>& promise) { computeMap(promise, work); }));
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFutureWatcher>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
 
 #include "ui/document/background_job.h"
+#include "ui/document/run_within_memory.h"
 
 #include <atomic>
 #include <new>
@@ -34,6 +36,19 @@ private slots:
         QCOMPARE(*answer, 42);
         QVERIFY(worker != thread());
         QVERIFY(jobs.isIdle());
+    }
+
+    void workThatRunsOutOfMemoryKeepsTheResultsItHas()
+    {
+        const auto future = runWithinMemory<int>([](QPromise<int>& promise) {
+            promise.addResult(1);
+            throw std::bad_alloc();
+        });
+        QFutureWatcher<int> watcher;
+        watcher.setFuture(future);
+        watcher.waitForFinished(); // as owners do when they go: it must not throw
+        QCOMPARE(future.resultCount(), 1);
+        QCOMPARE(watcher.resultAt(0), 1);
     }
 
     void progressIsToldAndNeverGoesBack()
