@@ -3,6 +3,7 @@
 
 #include "core/mesh/face_pieces.h"
 #include "core/resample/uv_image.h"
+#include "core/texture/opacity.h"
 
 #include <algorithm>
 #include <atomic>
@@ -132,15 +133,20 @@ private:
     {
         const TexelFormat& format = m_texels.format();
         const std::size_t bytes = format.texelBytes();
-        const auto channels =
-            std::min<std::size_t>(format.channels, static_cast<std::size_t>(m_paint.channels()));
+        std::vector<float> paint(static_cast<std::size_t>(m_paint.channels()));
+        const std::size_t channels = std::min<std::size_t>(format.channels, paint.size());
         std::vector<float> value(format.channels);
         for (std::size_t k = 0; k < indices.size(); ++k) {
+            for (std::size_t c = 0; c < paint.size(); ++c) {
+                paint[c] = answers.values[c * indices.size() + k];
+            }
+            if (m_options.opacity) {
+                unweigh(paint, *m_options.opacity);
+            }
             decode(format.type, taking.before.texel(indices[k]), value);
             for (std::size_t c = 0; c < channels; ++c) {
-                const float paint = answers.values[c * indices.size() + k];
                 value[c] =
-                    m_options.colors.empty() ? paint : fromLinear(m_options.colors[c], paint);
+                    m_options.colors.empty() ? paint[c] : fromLinear(m_options.colors[c], paint[c]);
             }
             encode(format.type, value, taking.bytes.subspan(indices[k] * bytes, bytes));
         }
@@ -256,8 +262,12 @@ Result<FilterScene> transferScene(const Surface& from,
                                   Threads threads,
                                   Progress& progress)
 {
-    StageProgress converting(progress, 0, 0.3);
-    const auto linear = linearStore(texels, colors, threads, converting);
+    StageProgress converting(progress, 0, 0.25);
+    auto linear = linearStore(texels, colors, threads, converting);
+    if (linear) {
+        StageProgress weighing(progress, 0.25, 0.3);
+        linear = weighed(*linear, threads, weighing);
+    }
     if (!linear) {
         return tl::unexpected(linear.error());
     }
@@ -318,6 +328,7 @@ Result<Transfer> transferPaint(const Surface& from,
           "the bytes of one texel");
     check(options.colors.empty() || options.colors.size() == texels.format().channels,
           "a colour space for each channel");
+    check(!options.opacity || *options.opacity < paint.channels(), "a channel of the paint");
     const Transferrer transferrer(from, paint, to, texels, options);
     const std::vector<FaceId> faces = facesOf(options, texels.faceCount());
     Transfer transfer{texels, 0, texelCountOf(texels, faces)};

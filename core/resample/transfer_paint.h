@@ -35,6 +35,8 @@ struct TransferOptions
     /// What the channels of the texels that take paint mean, one each: the paint is linear light
     /// then, and stored as that. Empty: its numbers pass as they are.
     std::vector<ColorSpace> colors = {};
+    /// The paint's channel that is opacity, by which its scene is weighed (opacity.h).
+    std::optional<std::uint16_t> opacity = {};
     /// Faces that take paint, any order; empty for all. Others stay as they are.
     std::vector<FaceId> faces = {};
     Threads threads = Threads::all();
@@ -62,7 +64,8 @@ TransferColors transferColors(const std::optional<std::vector<ColorSpace>>& pain
                               const std::optional<std::vector<ColorSpace>>& texels,
                               const TexelFormat& texelFormat);
 
-/// The paint of a surface as linear light, to be averaged as that.
+/// The paint of a surface as linear light, to be averaged as that; weighed where its format has an
+/// opacity.
 /// \param colors  what its channels mean, one each (checked); empty: as they are
 /// Fails when cancelled, and when a face cannot be read.
 Result<FilterScene> transferScene(const Surface& from,

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 using namespace trixel;
@@ -92,6 +93,42 @@ TEST(TransferPaint, largeTexelsAverageWhatLiesUnderThem)
             EXPECT_NEAR(valueAt(transfer->texels, faceId(f), k), 0.5, 0.06);
         }
     }
+}
+
+/// White paint on the left of the square, grey that nothing shows on the right: means stay white.
+TEST(TransferPaint, whatNothingShowsLendsNoColour)
+{
+    const TexelFormat format{TexelType::UInt8, 2, std::uint16_t{1}};
+    const TriangleMesh fine = gridMesh(16);
+    const std::array unseen{std::byte{77}, std::byte{0}};
+    TexelStore paint(format, FaceMap<Level>(fine.faceCount(), Level(0)), unseen);
+    for (std::uint32_t f = 0; f < fine.faceCount(); ++f) {
+        const auto corners = fine.corners(faceId(f));
+        if (corners[0].x + corners[1].x + corners[2].x < 1.4F) {
+            paint.exchange(faceId(f),
+                           FaceTexels::constant(Level(0), std::vector(2, std::byte{255})));
+        }
+    }
+    NoProgress progress;
+    const auto from = *Surface::build(fine, progress);
+    const Painted to(gridMesh(3), Level(2), constantContent(0), 2);
+    TransferOptions options = within(1);
+    options.opacity = format.alpha;
+    const auto scene = transferScene(*from, paint, {}, Threads{1}, progress);
+    ASSERT_TRUE(scene);
+    const auto transfer = transferPaint(*from, *scene, *to.surface, to.texels, options, progress);
+    ASSERT_TRUE(transfer);
+    int mixed = 0;
+    for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
+        for (std::uint32_t k = 0; k < 16; ++k) {
+            std::array<float, 2> value{};
+            decode(
+                transfer->texels.format().type, transfer->texels.face(faceId(f)).texel(k), value);
+            EXPECT_NEAR(value[0], value[1] > 0 ? 1 : 0, 1e-5) << f << ", " << k;
+            mixed += value[1] > 0.05F && value[1] < 0.95F ? 1 : 0;
+        }
+    }
+    EXPECT_GT(mixed, 5);
 }
 
 TEST(TransferPaint, whatIsTooFarKeepsItsTexelsAndItsBytes)
