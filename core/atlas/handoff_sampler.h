@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/atlas/hidden_colors.h"
 #include "core/filter/filter_method.h"
 #include "core/texture/texel_format.h"
 
-#include <memory>
+#include <cstddef>
+#include <optional>
 
 namespace trixel {
 
 /// What samples of a hand-off atlas are. Where one channel is opacity, programs look up the colours
-/// on their own, and those that nothing shows count beside those that something does: they are what
-/// is shown about them, the nearest of it.
+/// on their own, and those that nothing shows count beside those that something does:
+/// `HiddenColors`.
 class HandOffSampler
 {
 public:
@@ -21,12 +23,12 @@ public:
     ResultArrays sampled(const QueryArrays& places) const;
 
 private:
-    void spreadColors(const QueryArrays& places, ResultArrays& samples) const;
+    void takeColors(const QueryArrays& places, ResultArrays& samples) const;
 
     const FilterScene& m_scene;
     const FilterMethod& m_method;
-    TexelFormat m_format;
-    std::unique_ptr<const FilterMethod> m_average; ///< of what lies about a place
+    std::optional<std::size_t> m_opacity; ///< a channel
+    std::optional<HiddenColors> m_hidden; ///< where there is one
 };
 
 } // namespace trixel
