@@ -67,7 +67,6 @@ Result<Outcome> transfer(const Arguments& arguments, Progress& progress)
     const TransferColors colors = transferColors(
         channelColors(*from), from->texels.format(), channelColors(*to), to->texels.format());
     options->colors = colors.texels;
-    options->opacity = from->texels.format().alpha;
     const auto paint =
         transferScene(*from->surface, from->texels, colors.paint, options->threads, preparing);
     if (!paint) {

@@ -53,12 +53,13 @@ class Transferrer
 {
 public:
     Transferrer(const Surface& from,
-                const FilterScene& paint,
+                const TransferScene& paint,
                 const Surface& to,
                 const TexelStore& texels,
                 const TransferOptions& options)
         : m_from(from)
-        , m_paint(paint)
+        , m_paint(paint.paint)
+        , m_opacity(paint.opacity)
         , m_to(to)
         , m_texels(texels)
         , m_options(options)
@@ -140,8 +141,8 @@ private:
             for (std::size_t c = 0; c < paint.size(); ++c) {
                 paint[c] = answers.values[c * indices.size() + k];
             }
-            if (m_options.opacity) {
-                unweigh(paint, *m_options.opacity);
+            if (m_opacity) {
+                unweigh(paint, *m_opacity);
             }
             decode(format.type, taking.before.texel(indices[k]), value);
             for (std::size_t c = 0; c < channels; ++c) {
@@ -154,6 +155,7 @@ private:
 
     const Surface& m_from;
     const FilterScene& m_paint;
+    std::optional<std::uint16_t> m_opacity;
     const Surface& m_to;
     const TexelStore& m_texels;
     const TransferOptions& m_options;
@@ -256,11 +258,11 @@ TransferColors transferColors(const std::optional<std::vector<ColorSpace>>& pain
     return colors;
 }
 
-Result<FilterScene> transferScene(const Surface& from,
-                                  const TexelStore& texels,
-                                  const std::vector<ColorSpace>& colors,
-                                  Threads threads,
-                                  Progress& progress)
+Result<TransferScene> transferScene(const Surface& from,
+                                    const TexelStore& texels,
+                                    const std::vector<ColorSpace>& colors,
+                                    Threads threads,
+                                    Progress& progress)
 {
     StageProgress converting(progress, 0, 0.25);
     auto linear = linearStore(texels, colors, threads, converting);
@@ -276,7 +278,10 @@ Result<FilterScene> transferScene(const Surface& from,
                                   FilterSurface::fromMesh(from.mesh(), from.adjacency())),
                               *linear,
                               threads,
-                              building);
+                              building)
+        .map([&](FilterScene&& paint) {
+            return TransferScene{std::move(paint), texels.format().alpha};
+        });
 }
 
 std::vector<float> sampleDistances(const Surface& from,
@@ -315,20 +320,20 @@ std::vector<float> sampleDistances(const Surface& from,
 }
 
 Result<Transfer> transferPaint(const Surface& from,
-                               const FilterScene& paint,
+                               const TransferScene& paint,
                                const Surface& to,
                                const TexelStore& texels,
                                const TransferOptions& options,
                                Progress& progress)
 {
-    check(paint.faceCount() == from.mesh().faceCount(), "paint on the surface it comes from");
+    check(paint.paint.faceCount() == from.mesh().faceCount(), "paint on the surface it comes from");
     check(texels.faceCount() == to.mesh().faceCount(), "texels of the surface it goes to");
     check(options.outOfReach == OutOfReach::Keep ||
               options.fill.size() == texels.format().texelBytes(),
           "the bytes of one texel");
     check(options.colors.empty() || options.colors.size() == texels.format().channels,
           "a colour space for each channel");
-    check(!options.opacity || *options.opacity < paint.channels(), "a channel of the paint");
+    check(!paint.opacity || *paint.opacity < paint.paint.channels(), "a channel of the paint");
     const Transferrer transferrer(from, paint, to, texels, options);
     const std::vector<FaceId> faces = facesOf(options, texels.faceCount());
     Transfer transfer{texels, 0, texelCountOf(texels, faces)};

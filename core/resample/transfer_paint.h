@@ -35,8 +35,6 @@ struct TransferOptions
     /// What the channels of the texels that take paint mean, one each: the paint is linear light
     /// then, and stored as that. Empty: its numbers pass as they are.
     std::vector<ColorSpace> colors = {};
-    /// The paint's channel that is opacity, by which its scene is weighed (opacity.h).
-    std::optional<std::uint16_t> opacity = {};
     /// Faces that take paint, any order; empty for all. Others stay as they are.
     std::vector<FaceId> faces = {};
     Threads threads = Threads::all();
@@ -64,15 +62,21 @@ TransferColors transferColors(const std::optional<std::vector<ColorSpace>>& pain
                               const std::optional<std::vector<ColorSpace>>& texels,
                               const TexelFormat& texelFormat);
 
-/// The paint of a surface as linear light, to be averaged as that; weighed where its format has an
-/// opacity.
+/// Paint that can be averaged.
+struct TransferScene
+{
+    FilterScene paint;
+    std::optional<std::uint16_t> opacity = {}; ///< the channel that the paint is weighed by
+};
+
+/// The paint of a surface as linear light, weighed where its format has an opacity (opacity.h).
 /// \param colors  what its channels mean, one each (checked); empty: as they are
 /// Fails when cancelled, and when a face cannot be read.
-Result<FilterScene> transferScene(const Surface& from,
-                                  const TexelStore& texels,
-                                  const std::vector<ColorSpace>& colors,
-                                  Threads threads,
-                                  Progress& progress);
+Result<TransferScene> transferScene(const Surface& from,
+                                    const TexelStore& texels,
+                                    const std::vector<ColorSpace>& colors,
+                                    Threads threads,
+                                    Progress& progress);
 
 /// Brings paint from one surface to another, whatever their faces: every texel takes the value at
 /// the point of `from` that is nearest to its centroid, averaged over its own footprint laid flat
@@ -83,7 +87,7 @@ Result<FilterScene> transferScene(const Surface& from,
 /// \param texels  of `to` (checked)
 /// Fails when cancelled, when memory runs out, and when a face cannot be read.
 Result<Transfer> transferPaint(const Surface& from,
-                               const FilterScene& paint,
+                               const TransferScene& paint,
                                const Surface& to,
                                const TexelStore& texels,
                                const TransferOptions& options,

@@ -22,7 +22,6 @@ transfer(const Project& from, const Project& to, TransferOptions options, Progre
     TransferColors colors = transferColors(
         channelColors(from), from.texels.format(), channelColors(to), to.texels.format());
     options.colors = std::move(colors.texels);
-    options.opacity = from.texels.format().alpha;
     StageProgress preparing(progress, 0, 0.3);
     const auto paint =
         transferScene(*from.surface, from.texels, colors.paint, options.threads, preparing);

@@ -24,14 +24,14 @@ struct Painted
         NoProgress progress;
         surface = *Surface::build(mesh, progress);
     }
-    FilterScene scene() const
+    TransferScene scene() const
     {
         NoProgress progress;
-        return *FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
-                                       surface->mesh(), surface->adjacency())),
-                                   texels,
-                                   Threads{1},
-                                   progress);
+        return {*FilterScene::build(std::make_shared<const FilterSurface>(FilterSurface::fromMesh(
+                                        surface->mesh(), surface->adjacency())),
+                                    texels,
+                                    Threads{1},
+                                    progress)};
     }
 };
 
@@ -112,11 +112,9 @@ TEST(TransferPaint, whatNothingShowsLendsNoColour)
     NoProgress progress;
     const auto from = *Surface::build(fine, progress);
     const Painted to(gridMesh(3), Level(2), constantContent(0), 2);
-    TransferOptions options = within(1);
-    options.opacity = format.alpha;
     const auto scene = transferScene(*from, paint, {}, Threads{1}, progress);
     ASSERT_TRUE(scene);
-    const auto transfer = transferPaint(*from, *scene, *to.surface, to.texels, options, progress);
+    const auto transfer = transferPaint(*from, *scene, *to.surface, to.texels, within(1), progress);
     ASSERT_TRUE(transfer);
     int mixed = 0;
     for (std::uint32_t f = 0; f < to.texels.faceCount(); ++f) {
