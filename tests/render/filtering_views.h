@@ -3,8 +3,12 @@
 // Views of the torus and the bunny that ways of filtering are judged by.
 #pragma once
 
-#include "tests/render/filtering_scenes.h"
+#include <QTest>
 
+#include "tests/render/filtering_scenes.h"
+#include "tests/render/offscreen.h"
+
+#include <memory>
 #include <optional>
 
 namespace trixel::render {
@@ -75,5 +79,27 @@ inline std::optional<Shown> bunny(int side = kSide)
     shown.scene = sceneOf(*shown.surface, side, {{}, 1.0, 0.3, 0.2});
     return shown;
 }
+
+/// Tests that draw such views, each in a context of its own.
+class FilteringTest : public QObject
+{
+protected:
+    void begin()
+    {
+        m_offscreen = std::make_unique<Offscreen>(kSide, kSide);
+        QVERIFY2(m_offscreen->isValid(), "OpenGL 4.1 core is needed");
+        m_offscreen->bind();
+        m_gl = currentGl();
+    }
+    void end()
+    {
+        QVERIFY(!m_offscreen->hadErrors());
+        m_gl.reset();
+        m_offscreen.reset();
+    }
+
+    std::unique_ptr<Offscreen> m_offscreen;
+    std::unique_ptr<Gl> m_gl;
+};
 
 } // namespace trixel::render

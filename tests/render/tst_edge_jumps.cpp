@@ -5,7 +5,6 @@
 
 #include "render/filtering_study.h"
 #include "tests/render/filtering_views.h"
-#include "tests/render/offscreen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -316,24 +315,13 @@ std::optional<Shown> shownIn(int scene)
 
 } // namespace
 
-class TestEdgeJumps : public QObject
+class TestEdgeJumps : public FilteringTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        m_offscreen = std::make_unique<Offscreen>(kSide, kSide);
-        QVERIFY2(m_offscreen->isValid(), "OpenGL 4.1 core is needed");
-        m_offscreen->bind();
-        m_gl = currentGl();
-    }
-    void cleanup()
-    {
-        QVERIFY(!m_offscreen->hadErrors());
-        m_gl.reset();
-        m_offscreen.reset();
-    }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     void seamlessWaysDoNotJumpAtEdges_data()
     {
@@ -389,10 +377,6 @@ private slots:
             QVERIFY(jumps.seen.close > 25);
         }
     }
-
-private:
-    std::unique_ptr<Offscreen> m_offscreen;
-    std::unique_ptr<Gl> m_gl;
 };
 
 QTEST_MAIN(TestEdgeJumps)

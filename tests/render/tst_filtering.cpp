@@ -5,7 +5,6 @@
 
 #include "render/filtering_study.h"
 #include "tests/render/filtering_views.h"
-#include "tests/render/offscreen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,24 +39,13 @@ void expectAlike(const QImage& image, const QImage& other)
 
 } // namespace
 
-class TestFiltering : public QObject
+class TestFiltering : public FilteringTest
 {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        m_offscreen = std::make_unique<Offscreen>(kSide, kSide);
-        QVERIFY2(m_offscreen->isValid(), "OpenGL 4.1 core is needed");
-        m_offscreen->bind();
-        m_gl = currentGl();
-    }
-    void cleanup()
-    {
-        QVERIFY(!m_offscreen->hadErrors());
-        m_gl.reset();
-        m_offscreen.reset();
-    }
+    void init() { begin(); }
+    void cleanup() { end(); }
 
     void looksAsItDid_data()
     {
@@ -316,8 +304,6 @@ private slots:
     }
 
 private:
-    std::unique_ptr<Offscreen> m_offscreen;
-    std::unique_ptr<Gl> m_gl;
     std::optional<Shown> m_torus;
     std::optional<Shown> m_bunny;
 };
